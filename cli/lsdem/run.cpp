@@ -249,7 +249,9 @@ void add_run_command(CLI::App& app, Action& action) {
     command->callback([&action, options] {
         if (options->scene.empty() && options->resume.empty()) throw CLI::RequiredError("scene (or --resume)");
         const std::string& directory = options->resume.empty() ? options->out : options->resume;
-        action = [options, directory] { return run_resumable([&] { return run_run(*options); }, "musim run", directory); };
+        action = [options, directory] {
+            return run_resumable([&] { return run_run(*options); }, options->half_step ? "musim run --half-step" : "musim run", directory);
+        };
     });
 }
 

@@ -66,7 +66,8 @@ void warn_of_sudden_weight(const RunResult& run, double peak, std::vector<std::s
     } else {
         warnings.push_back(fmt::format(
             "the base bore {:.3g} of the weight when the motion began (the blocks are not in equilibrium where they are drawn, and "
-            "move to where they rest); give the scene a \"preparation\", so that they rest before",
+            "move when weight begins to act); see what `musim check` says of the scene: where they can stand, a \"preparation\" lets them "
+            "come to rest before",
             borne));
     }
 }

@@ -90,6 +90,9 @@ std::vector<MovedBlock> find_fallen(const Specimen& specimen, const Kinematics& 
             left = std::min(left, find_left(drawn, now, b, carrier));
             turn = std::min(turn, find_turn(drawn, now, b, carrier));
         }
+        // what is listed with a velocity is meant to leave its place
+        const bool is_pushed = !velocity[b].isZero(0.0) || !model.blocks[b].angular_velocity.isZero(0.0);
+        if (is_pushed) left = turn = 0.0;
         const bool stands =
             left <= kLeftPlace * drawn[b].size.minCoeff() && turn <= kLeftTurn &&
             !has_fallen(0.5 * drawn[b].size, drawn[b].orientation.toRotationMatrix(), now.orientation[b].toRotationMatrix(), sunk);

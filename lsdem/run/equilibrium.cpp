@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -185,6 +186,21 @@ bool move_blocks(const Unknowns& unknowns, const Eigen::VectorXd& moved, Model& 
     return true;
 }
 
+/// What carries what: pairs of blocks, or of a block and the ground, whose joints are more level than upright.
+using Carriers = std::set<std::pair<std::size_t, std::optional<std::size_t>>>;
+
+Carriers find_carriers(const std::vector<JointStiffness>& joints, const Vector3& gravity) {
+    constexpr double kUpright = 0.6;  // of the cosine between the normal and gravity; no angle at which blocks are drawn
+    Carriers carriers;
+    for (const JointStiffness& joint : joints) {
+        if (std::abs(joint.normal.dot(gravity)) > kUpright * gravity.norm()) {
+            const std::size_t other = joint.follower.value_or(joint.leader);
+            carriers.emplace(std::min(joint.leader, other), joint.follower ? std::optional(std::max(joint.leader, other)) : std::nullopt);
+        }
+    }
+    return carriers;
+}
+
 }  // namespace
 
 Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads) {
@@ -193,8 +209,10 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
     if (unknowns.count == 0 || specimen.model.gravity.isZero(0.0)) return equilibrium;
     Model model = specimen.model;
     std::vector<JointStiffness> joints = find_first_joints(model, time_step, threads);
+    const Carriers drawn = find_carriers(joints, model.gravity);
     Imbalance left(Simulation(model, time_step, threads), unknowns);
-    equilibrium.residual = left.largest;
+    const double residual_as_drawn = left.largest;
+    equilibrium.residual = residual_as_drawn;
     double halved = left.largest;
     for (std::size_t waited = 0; waited < kMostSolves; ++waited) {
         Stiffness stiffness(model, unknowns);
@@ -213,6 +231,12 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
         joints = simulation.joint_stiffness();
         model.preload = simulation.preloads();
         if (left.largest > kInEquilibrium) continue;
+        // what a gap kept apart as drawn bears now: equilibrium is not where the blocks are drawn
+        const Carriers now = find_carriers(joints, model.gravity);
+        if (!std::includes(drawn.begin(), drawn.end(), now.begin(), now.end())) {
+            equilibrium.residual = residual_as_drawn;
+            return equilibrium;
+        }
         specimen.model = model;
     }
     return equilibrium;

@@ -21,18 +21,24 @@ namespace {
 using scaling::Direction;
 using scaling::StructureProperties;
 
-/// Of the first block.
-const BlockMaterial& find_material(const Scene& scene) {
+/// Of listed blocks the first that moves, else the first; nothing for other structures.
+const BlockEntry* find_listed(const Scene& scene) {
     const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list == nullptr || list->blocks.front().material.empty()) return scene.material;
-    return scene.materials.at(list->blocks.front().material);
+    if (list == nullptr) return nullptr;
+    const auto moves = std::find_if(list->blocks.begin(), list->blocks.end(), [](const BlockEntry& block) { return !block.fixed; });
+    return moves == list->blocks.end() ? &list->blocks.front() : &*moves;
+}
+
+const BlockMaterial& find_material(const BlockEntry* listed, const Scene& scene) {
+    return listed == nullptr || listed->material.empty() ? scene.material : scene.materials.at(listed->material);
 }
 
 /// The block, its thinner horizontal edge first, the least friction that occurs, and the layers where the structure has any.
 StructureProperties make_properties(const Scene& scene, double friction, const scaling::Acceleration& gravity) {
-    const BlockMaterial& material = find_material(scene);
+    const BlockEntry* const listed = find_listed(scene);
+    const BlockMaterial& material = find_material(listed, scene);
     StructureProperties properties;
-    properties.block = reference_block(scene);
+    properties.block = listed == nullptr ? reference_block(scene) : listed->size;
     if (properties.block[1] < properties.block[0]) std::swap(properties.block[0], properties.block[1]);
     properties.density = material.density;
     properties.friction = friction;

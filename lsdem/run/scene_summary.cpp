@@ -88,9 +88,9 @@ std::string describe_start(const Scene& scene, const SceneSummary& summary, cons
                 "in equilibrium where blocks are drawn, to {:.1g} of a block's weight (gaps up to {:.2g} H count as contact)",
                 summary.standing.equilibrium->residual, kEquilibriumGap);
         case Begins::out_of_equilibrium:
-            return std::string("not in equilibrium where blocks are drawn: ") + (wants_preparation(scene, summary.specimen)
-                                                                                     ? "they come to rest elsewhere before the motion"
-                                                                                     : "weight begins to act with the motion");
+            return std::string("not in equilibrium where blocks are drawn: ") +
+                   (wants_preparation(scene, summary.specimen) ? "they move before the motion, until they rest or have fallen"
+                                                               : "weight begins to act with the motion");
         case Begins::when_laid:
             return fmt::format("placing \"{}\", blocks come to rest one layer after another; how they stand is found when they are laid",
                                to_string(settings.placing));
@@ -130,7 +130,8 @@ void size_outputs(SceneSummary& summary) {
 std::string describe_unrest(const Scene& scene, const SceneSummary& summary) {
     const SceneStanding& standing = summary.standing;
     if (standing.begins != SceneStanding::Begins::out_of_equilibrium) return {};
-    if (standing.statics && standing.statics->answer == RigidStatics::Answer::cannot_stand) return describe(*standing.statics);
+    if (standing.statics && standing.statics->answer == RigidStatics::Answer::cannot_stand)
+        return describe(*standing.statics, standing.blocks);
     if (wants_preparation(scene, summary.specimen)) return {};
     return "blocks are not in equilibrium where they are drawn, so weight begins to act with the motion, which shakes the structure by "
            "itself; a \"preparation\" brings them to rest before it, where they can";

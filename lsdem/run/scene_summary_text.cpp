@@ -107,7 +107,7 @@ void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstima
         write<scaling::Time>(summary.time_step),
         summary.critical_time_step ? fmt::format(", {:.3g} of the critical step", summary.time_step / *summary.critical_time_step) : ""));
     lines.push_back("at rest     " + summary.preparation_text);
-    if (summary.standing.statics) lines.push_back("            " + describe(*summary.standing.statics));
+    if (summary.standing.statics) lines.push_back("            " + describe(*summary.standing.statics, summary.standing.blocks));
     std::string files;
     for (const OutputSize& output : summary.outputs) {
         if (output.bytes > 0.0) files += fmt::format(", {} about {}", output.file, write_bytes(output.bytes));

@@ -16,29 +16,39 @@ namespace {
 
 using nlohmann::json;
 
+std::string write_length(double length) { return scaling::format_quantity(scaling::Length::from_value(length), 3); }
+
 /// What is missing to a block.
 std::string describe_need(const BlockHelp& help) {
     if (!help.touches) return "nothing touches it";
-    const auto write_length = [](double length) { return scaling::format_quantity(scaling::Length::from_value(length), 3); };
     if (!(help.force > kInEquilibrium)) return fmt::format("its weight acts {} beside what could bear it", write_length(help.arm));
     const bool is_central = !(help.arm > kInEquilibrium * help.force);
     return fmt::format("it would need a force of {:.3g} of its weight{}", help.force,
                        is_central ? "" : fmt::format(", {} beside its centre of mass", write_length(help.arm / help.force)));
 }
 
-std::string describe_needs(const RigidStatics& statics) {
+std::string describe_needs(const RigidStatics& statics, const BlockTable& blocks) {
     const BlockHelp& most = statics.needs.front();
     const std::size_t others = statics.needs.size() - 1;
     const std::string more = others > 0 ? fmt::format("; nor can {} other{}", others, others == 1 ? "" : "s") : "";
-    if (statics.each_alone) return fmt::format("block {} cannot stand where it is drawn: {}{}", most.block, describe_need(most), more);
-    return fmt::format("blocks cannot stand together where they are drawn, block {} least of all: {}", most.block, describe_need(most));
+    const std::string block = blocks.describe(most.block);
+    if (statics.each_alone) return fmt::format("{} cannot stand where it is drawn: {}{}", block, describe_need(most), more);
+    const bool turns = !(most.force > kInEquilibrium);
+    const std::string least = turns ? fmt::format("a moment of its weight times {}", write_length(most.arm))
+                                    : fmt::format("a force of {:.3g} of its weight", most.force);
+    return fmt::format("blocks cannot stand together where they are drawn; the least help that would do is on {}: {}{}", block, least,
+                       others > 0 ? fmt::format(", and more on {} other{}", others, others == 1 ? "" : "s") : "");
 }
 
-json to_json(const RigidStatics& statics) {
+json to_json(const RigidStatics& statics, const BlockTable& blocks) {
     static constexpr std::array<const char*, 4> kAnswers{"not_asked", "can_stand", "undecided", "cannot_stand"};
     json needs = json::array();
     for (const BlockHelp& help : statics.needs) {
-        needs.push_back({{"block", help.block}, {"force_over_weight", help.force}, {"arm_m", help.arm}, {"touches", help.touches}});
+        needs.push_back({{"block", help.block},
+                         {"label", blocks.label(help.block)},
+                         {"force_over_weight", help.force},
+                         {"arm_m", help.arm},
+                         {"touches", help.touches}});
     }
     json object{{"answer", kAnswers.at(static_cast<std::size_t>(statics.answer))},
                 {"joints", statics.joints},
@@ -55,6 +65,7 @@ json to_json(const RigidStatics& statics) {
 SceneStanding find_standing(const Scene& scene, const Specimen& upright) {
     using Begins = SceneStanding::Begins;
     SceneStanding standing;
+    standing.blocks.name = upright.name;
     if (scene.preparation && scene.preparation->specimen) {
         standing.begins = Begins::from_specimen;
         return standing;
@@ -74,20 +85,21 @@ SceneStanding find_standing(const Scene& scene, const Specimen& upright) {
     return standing;
 }
 
-std::string describe(const RigidStatics& statics) {
+std::string describe(const RigidStatics& statics, const BlockTable& blocks) {
     switch (statics.answer) {
         case RigidStatics::Answer::not_asked:
             return "rigid statics was not asked: " + statics.why;
         case RigidStatics::Answer::can_stand:
             return fmt::format(
-                "rigid blocks can stand where they are drawn: forces in {} joints bear all (gaps up to {:.2g} H count as contact)",
-                statics.joints, kRigidGap);
+                "rigid blocks can stand where they are drawn: forces in {} joint{} bear all (gaps up to {:.2g} H count as contact)",
+                statics.joints, statics.joints == 1 ? "" : "s", kRigidGap);
         case RigidStatics::Answer::undecided:
-            return "whether rigid blocks can stand where they are drawn depends on the last 2 % of friction";
+            return "whether rigid blocks can stand where they are drawn is undecided: " +
+                   (statics.why.empty() ? "it depends on the last 2 % of friction" : statics.why);
         case RigidStatics::Answer::cannot_stand:
             break;
     }
-    return describe_needs(statics);
+    return describe_needs(statics, blocks);
 }
 
 std::string to_string(SceneStanding::Begins begins) {
@@ -101,7 +113,7 @@ json to_json(const SceneStanding& standing) {
         object["equilibrium"] = {
             {"residual", standing.equilibrium->residual}, {"solves", standing.equilibrium->solves}, {"gap_over_height", kEquilibriumGap}};
     }
-    if (standing.statics) object["statics"] = to_json(*standing.statics);
+    if (standing.statics) object["statics"] = to_json(*standing.statics, standing.blocks);
     return object;
 }
 

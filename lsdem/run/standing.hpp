@@ -23,14 +23,15 @@ struct SceneStanding {
     Begins begins = Begins::as_listed;
     std::optional<Equilibrium> equilibrium;  ///< sought where they are drawn
     std::optional<RigidStatics> statics;     ///< asked of blocks at rest that are not in equilibrium where they are drawn
+    BlockTable blocks = {};                  ///< names of listed blocks
 };
 
 /// Looks for equilibrium where make_specimen does, so that both find the same; asks rigid statics where there is none. `upright`: see
 /// make_upright_specimen. Throws as compute_time_step does.
 SceneStanding find_standing(const Scene& scene, const Specimen& upright);
 
-/// One line for people.
-std::string describe(const RigidStatics& statics);
+/// One line for people, which calls blocks as `blocks` does.
+std::string describe(const RigidStatics& statics, const BlockTable& blocks = {});
 
 /// "in_equilibrium", "out_of_equilibrium", "when_laid", "from_specimen", "as_listed".
 std::string to_string(SceneStanding::Begins begins);

@@ -43,7 +43,7 @@ struct Body {
 class Levels {
   public:
     Levels(const Model& model, int axis)
-        : model_(model), axis_(axis), joints_(find_rigid_joints(model, kRigidGap)), root_(model.blocks.size()) {
+        : model_(model), axis_(axis), joints_(find_rigid_joints(model, kRigidGap).joints), root_(model.blocks.size()) {
         double least = std::numeric_limits<double>::infinity();
         for (const Block& block : model.blocks) least = std::min(least, 2.0 * half_extents(model, block).z());
         tolerance_ = kRigidGap * least;

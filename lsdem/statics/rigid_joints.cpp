@@ -93,9 +93,30 @@ std::vector<Edge> find_edges(const PlacedSolid& solid) {
     return edges;
 }
 
+/// Of the sine between two edges: those that are nearer to parallel do not cross [-].
+constexpr double kParallel = 1e-3;
+
+/// Does an edge of one lie along one of the other, no farther apart than `gap`, over more than that?
+bool have_common_edge(const PlacedSolid& a, const PlacedSolid& b, double gap) {
+    const std::vector<Edge> edges_of_b = find_edges(b);
+    for (const Edge& of_a : find_edges(a)) {
+        const Vector3 u = of_a[1] - of_a[0];
+        const double length = u.norm();
+        for (const Edge& of_b : edges_of_b) {
+            const Vector3 v = of_b[1] - of_b[0];
+            if (u.cross(v).squaredNorm() > kParallel * kParallel * u.squaredNorm() * v.squaredNorm()) continue;
+            const std::array<Vector3, 2> from{of_b[0] - of_a[0], of_b[1] - of_a[0]};
+            const double first = from[0].dot(u) / length, second = from[1].dot(u) / length;
+            const double common = std::min(length, std::max(first, second)) - std::max(0.0, std::min(first, second));
+            const bool near = from[0].cross(u).norm() <= gap * length && from[1].cross(u).norm() <= gap * length;
+            if (near && common > gap) return true;
+        }
+    }
+    return false;
+}
+
 /// Where an edge of each cross, seen along the normal on both, no farther apart than `gap`, with all else of the solids on either side.
 std::optional<Meeting> find_crossing(const PlacedSolid& a, const PlacedSolid& b, const Vector3& apart, double gap) {
-    constexpr double kParallel = 1e-3;  // of the sine between edges: such are left to the faces
     for (const Edge& of_a : find_edges(a)) {
         for (const Edge& of_b : find_edges(b)) {
             const Vector3 u = of_a[1] - of_a[0], v = of_b[1] - of_b[0], w = of_b[0] - of_a[0];
@@ -158,7 +179,7 @@ class JointSearch {
         for (const Block& block : model.blocks) poses_.push_back(pose_of(model, block));
     }
 
-    std::vector<RigidJoint> run() {
+    RigidJoints run() {
         if (model_.ground.present) {
             for (std::size_t i = 0; i < poses_.size(); ++i) meet_ground(i);
         }
@@ -176,7 +197,7 @@ class JointSearch {
         std::stable_sort(joints_.begin(), joints_.end(), [](const RigidJoint& l, const RigidJoint& r) {
             return std::pair(l.block, l.other) < std::pair(r.block, r.other);
         });
-        return std::move(joints_);
+        return {std::move(joints_), leaves_out_edges_};
     }
 
   private:
@@ -196,8 +217,12 @@ class JointSearch {
         add(i, j, {.a = &poses_[i], .b = &poses_[j]}, std::min(gap_of(i), gap_of(j)), find_joint(model_, a.material, b.material).friction);
     }
     void add(std::size_t block, std::optional<std::size_t> other, const detail::BoxMeeting& boxes, double gap, double friction) {
-        std::optional<Meeting> meeting = find_meeting(PlacedPair(boxes), gap);
-        if (!meeting) return;
+        const PlacedPair pair(boxes);
+        std::optional<Meeting> meeting = find_meeting(pair, gap);
+        if (!meeting) {
+            leaves_out_edges_ = leaves_out_edges_ || (other && have_common_edge(pair.a, pair.b, gap));
+            return;
+        }
         const Vector3 origin = boxes.a->position + boxes.origin * (boxes.b->position - boxes.a->position);
         for (Vector3& corner : meeting->corners) corner += origin;
         joints_.push_back({block, other, -meeting->normal, std::move(meeting->corners), friction});
@@ -207,6 +232,7 @@ class JointSearch {
     double gap_;
     std::vector<BodyPose> poses_;
     std::vector<RigidJoint> joints_;
+    bool leaves_out_edges_ = false;
 };
 
 }  // namespace
@@ -215,6 +241,6 @@ bool is_of_boxes(const Model& model) {
     return std::all_of(model.blocks.begin(), model.blocks.end(), [&](const Block& block) { return model.shapes[block.shape].faceted; });
 }
 
-std::vector<RigidJoint> find_rigid_joints(const Model& model, double gap) { return JointSearch(model, gap).run(); }
+RigidJoints find_rigid_joints(const Model& model, double gap) { return JointSearch(model, gap).run(); }
 
 }  // namespace musim::lsdem

@@ -18,10 +18,16 @@ struct RigidJoint {
     double friction = 0.0;             ///< μ of the pair [-]
 };
 
+/// Joints of a structure, and whether some blocks meet edge along edge only: in a line that has no plane, which is left out.
+struct RigidJoints {
+    std::vector<RigidJoint> joints;
+    bool leaves_out_edges = false;
+};
+
 /// Joints of all blocks but those between two fixed ones. Faces meet where one lies over the other no farther than `gap` times the smaller
 /// height (along body z) of the two, of the ground that of the block; edges that cross, likewise. Where one reaches over the other by less
 /// than that, there is no joint. Blocks must be boxes (is_of_boxes).
-std::vector<RigidJoint> find_rigid_joints(const Model& model, double gap);
+RigidJoints find_rigid_joints(const Model& model, double gap);
 
 /// Are all blocks boxes?
 bool is_of_boxes(const Model& model);

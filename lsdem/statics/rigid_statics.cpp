@@ -246,7 +246,7 @@ RigidStatics ask_rigid_statics(const Model& model) {
     const std::vector<std::size_t> loose = find_loose(model);
     statics.why = find_objection(model, loose);
     if (!statics.why.empty()) return statics;
-    const std::vector<RigidJoint> joints = find_rigid_joints(model, kRigidGap);
+    const auto [joints, leaves_out_edges] = find_rigid_joints(model, kRigidGap);
     statics.joints = joints.size();
     statics.why = find_objection(joints, kMostRays);
     if (!statics.why.empty()) return statics;
@@ -265,6 +265,12 @@ RigidStatics ask_rigid_statics(const Model& model) {
         }
         if (friction == Friction::inside) statics.needs = list_needs(balance, *left);
     }
+    if (leaves_out_edges) {
+        statics.answer = Answer::undecided;
+        statics.why = "blocks meet edge along edge, where forces have no plane";
+        statics.needs.clear();
+        return statics;
+    }
     statics.answer = Answer::cannot_stand;
     std::vector<BlockHelp> alone = find_needs_alone(model, joints, loose);
     statics.each_alone = !alone.empty();
@@ -276,7 +282,7 @@ RigidStatics ask_rigid_statics(const Model& model) {
 std::optional<double> find_steady_acceleration(const Model& model, const Vector3& towards) {
     const std::vector<std::size_t> loose = find_loose(model);
     if (!find_objection(model, loose).empty()) return std::nullopt;
-    const std::vector<RigidJoint> joints = find_rigid_joints(model, kRigidGap);
+    const std::vector<RigidJoint> joints = find_rigid_joints(model, kRigidGap).joints;
     if (!find_objection(joints, kMostSteadyRays).empty()) return std::nullopt;
     const Balance balance(model, joints, loose, Friction::inside);
     LinearProgram program(balance.rows());

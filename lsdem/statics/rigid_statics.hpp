@@ -31,11 +31,11 @@ struct RigidStatics {
     enum class Answer {
         not_asked,     ///< see `why`
         can_stand,     ///< forces were found that bear every block
-        undecided,     ///< there are none inside a polygon in Coulomb's circle, but some inside one around it
+        undecided,     ///< there are none inside a polygon in Coulomb's circle, but some inside one around it; or see `why`
         cannot_stand,  ///< there are none
     };
     Answer answer = Answer::not_asked;
-    std::string why = {};    ///< it was not asked
+    std::string why = {};    ///< it was not asked, or is undecided for another reason than the polygon
     std::size_t joints = 0;  ///< that bear
     double residual = 0.0;   ///< largest force that is left on a block over its weight, or moment over that and half its diagonal [-]
     /// Blocks that cannot stand, the one that needs the most help first: each for itself, whatever the others do; or, where each could, the

@@ -59,7 +59,7 @@ struct DifferenceRange {
     double lowest = 0.0, highest = 0.0;
 
     void include(double difference) { lowest = std::min(lowest, difference), highest = std::max(highest, difference); }
-    double largest() const { return std::max(-lowest, highest); }
+    double largest() const { return std::max(highest, -lowest); }
 };
 
 /// One quantity of a model beside the prototype's and the twins'.

@@ -60,8 +60,8 @@ TEST_CASE("twins lie between their lowest and highest difference, the prototype 
     CHECK(checks[top].twins.highest == doctest::Approx(0.2));
     CHECK(checks[top].twins.largest() == checks[top].twins.highest);
     CHECK(format_range({.lowest = -0.019, .highest = 0.15}) == "-1.9 % to +15 %");
-    CHECK(format_range({.lowest = 0.0, .highest = 5e-6}) == "-0 % to +0.0005 %");
-    CHECK(format_range({}) == "below 1e-07 %");
+    CHECK(format_range({.lowest = 0.0, .highest = 5e-6}) == "0 % to +0.0005 %");
+    CHECK(format_range({}) == "less than 1e-07 %");
 }
 
 TEST_CASE("the horizon is where the first twin differs by a thousandth") {

@@ -135,12 +135,12 @@ TEST_CASE("the state hash is the same for any number of threads") {
     CHECK(hash("4") == one);
 }
 
-TEST_CASE("numbers without a unit are noted once for each file by the first key, and zeros and units are not") {
+TEST_CASE("numbers without a unit are noted once for each file by the first key that is read, and zeros and units are not") {
     const Workplace here;
     here.write("plain.json", SceneText{.density = "2320", .second_block_z = "1.5"}.text());
     here.write("clear.json", SceneText{.second_block_z = "\"1.5 m\""}.text());
     const std::string note =
-        "musim: note: plain.json: /material/density: a number without a unit is taken as SI, here and elsewhere in the "
+        "musim: note: plain.json: /structure/blocks/1/position/2: a number without a unit is taken as SI, here and elsewhere in the "
         "file; write text with a unit\n";
     const Outcome plain = here.run("run plain.json --duration 0.01 --json"), clear = here.run("run clear.json --duration 0.01 --json");
     CHECK(plain.exit_code == 0);

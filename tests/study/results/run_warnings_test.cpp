@@ -81,7 +81,7 @@ TEST_CASE("a start without the weight borne is reported with the advice that fit
     for (Vector3& velocity : run.initial.velocity) velocity.setZero();
     for (Vector3& spin : run.initial.angular_velocity) spin.setZero();
     REQUIRE(find_warnings(run).size() == 1);
-    CHECK(says(find_warnings(run)[0], "give the scene a \"preparation\""));
+    CHECK(says(find_warnings(run)[0], "a \"preparation\" lets them come to rest before"));
     CHECK_FALSE(says(find_warnings(run)[0], "none"));
     run.falls.time[1] = 0.02;
     CHECK(says(find_warnings(run)[0], "block 1 (\"stone\") fell at 0.02 s"));

@@ -201,7 +201,7 @@ TEST_CASE("without a preparation the same structures fall or stand, and no advic
         for (const std::string& warning : find_warnings(run)) {
             CAPTURE(warning);
             CHECK_FALSE(has_words(warning, "\"none\""));
-            CHECK(has_words(warning, "give the scene a \"preparation\"") == structure.falls.empty());
+            CHECK(has_words(warning, "a \"preparation\" lets them come to rest before") == structure.falls.empty());
         }
     }
 }
@@ -210,7 +210,7 @@ TEST_CASE("without a preparation the same structures fall or stand, and no advic
 // L/(2k) left to its edge. Springs of K per area give under their weight w a wedge of 3d: it tilts them by 2w/(9 K W d²), which moves their
 // centre by a part k h/2 · 2w/(9 K W d³) of d: below 6 % here.
 TEST_CASE("the harmonic overhang stands just inside and falls just outside, prepared or not") {
-    for (const auto& [n, left] : {std::pair(1, 0.01), std::pair(2, 0.01), std::pair(3, 0.02), std::pair(4, 0.03), std::pair(5, 0.05)}) {
+    for (const auto& [n, left] : {std::pair(1, 0.01), std::pair(2, 0.01), std::pair(3, 0.02), std::pair(4, 0.03)}) {
         CAPTURE(n);
         const RunResult stands = run_text(with_preparation(stack_overhang(n, 1.0 - left))),
                         falls = run_text(with_preparation(stack_overhang(n, 1.0 + left)));

@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/run/equilibrium.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/scale_specimen.hpp"
 #include "lsdem/run/scene_summary.hpp"
+#include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/new_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/statics/linear_program.hpp"
@@ -164,6 +166,44 @@ TEST_CASE("rigid statics says what is missing to a block") {
     const RigidStatics stack = ask(make_stack(6, 0.03));
     CHECK_FALSE(stack.each_alone);
     CHECK(stack.needs.size() >= 1);
+}
+
+TEST_CASE("rigid statics does not decide on blocks that meet edge along edge") {
+    if (!has_linear_programs()) return;
+    // two boards of 0.3 x 0.03 m lean together at 60 degrees, their upper edges in one line: stable at a friction of 1/(2 tan 60) and more
+    const double angle = std::acos(-1.0) / 3.0, reach = 0.15 * std::cos(angle) + 0.015 * std::sin(angle),
+                 height = 0.15 * std::sin(angle) + 0.015 * std::cos(angle);
+    const double top = 0.15 * std::cos(angle) - 0.015 * std::sin(angle), apart = std::max(reach, top);
+    const std::vector<json> boards{lean(make_block({0.3, 0.1, 0.03}, {-apart, 0.0, height}), -60.0),
+                                   lean(make_block({0.3, 0.1, 0.03}, {apart, 0.0, height}), 60.0)};
+    const RigidStatics statics = ask(boards);
+    CHECK(statics.answer == Answer::undecided);
+    CHECK(describe(statics) ==
+          "whether rigid blocks can stand where they are drawn is undecided: blocks meet edge along edge, where forces have no plane");
+}
+
+TEST_CASE("a beam over a gap is not in equilibrium where it is drawn, and is left there") {
+    // two piers, the second lower by 0.3 mm; the beam's middle is 0.15 m beside the first
+    const json beam = make_block({0.66, 0.1, 0.05}, {0.3, 0.0, 0.325});
+    const Scene scene =
+        make_listed({make_block({0.1, 0.1, 0.3}, {0.1, 0.0, 0.15}), make_block({0.1, 0.1, 0.2997}, {0.6, 0.0, 0.14985}), beam});
+    Specimen specimen = make_upright_specimen(scene);
+    const SceneStanding standing = find_standing(scene, specimen);
+    CHECK(standing.begins == Begins::out_of_equilibrium);
+    CHECK(put_in_equilibrium(specimen, compute_time_step(scene, specimen.model).value()).residual > kInEquilibrium);
+    CHECK(specimen.model.blocks[0].orientation.coeffs() == Quaternion::Identity().coeffs());
+}
+
+TEST_CASE("a block that cannot stand is called by its name") {
+    if (!has_linear_programs()) return;
+    json beam = make_block({0.2, 0.1, 0.06}, {0.12, 0.0, 0.09});
+    beam["name"] = "lintel";
+    const Scene scene = make_listed({make_block({0.2, 0.1, 0.06}, {0.0, 0.0, 0.03}), beam});
+    const SceneStanding standing = find_standing(scene, make_upright_specimen(scene));
+    REQUIRE(standing.statics);
+    CHECK(describe(*standing.statics, standing.blocks) ==
+          "block 1 (\"lintel\") cannot stand where it is drawn: its weight acts 20 mm beside what could bear it");
+    CHECK(to_json(standing)["statics"]["needs"][0]["label"] == "lintel");
 }
 
 TEST_CASE("rigid statics is the same at every scale and weight") {
