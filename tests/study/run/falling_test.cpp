@@ -210,7 +210,8 @@ TEST_CASE("without a preparation the same structures fall or stand, and no advic
 // L/(2k) left to its edge. Springs of K per area give under their weight w a wedge of 3d: it tilts them by 2w/(9 K W d²), which moves their
 // centre by a part k h/2 · 2w/(9 K W d³) of d: below 6 % here.
 TEST_CASE("the harmonic overhang stands just inside and falls just outside, prepared or not") {
-    for (const auto& [n, left] : {std::pair(1, 0.01), std::pair(2, 0.01), std::pair(3, 0.02), std::pair(4, 0.03)}) {
+    for (const auto& [blocks, left] : {std::pair(1, 0.01), std::pair(2, 0.01), std::pair(3, 0.02), std::pair(4, 0.03)}) {
+        const int n = blocks;
         CAPTURE(n);
         const RunResult stands = run_text(with_preparation(stack_overhang(n, 1.0 - left))),
                         falls = run_text(with_preparation(stack_overhang(n, 1.0 + left)));
