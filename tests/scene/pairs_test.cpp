@@ -61,7 +61,7 @@ TEST_CASE("a stiffness per area is that of a whole face over the base of the fir
              {R"("normal_stiffness": 1)", {"/material", "shear_stiffness"}},
              {R"("normal_stiffness_per_area": "0 Pa/m", "shear_stiffness": 1)", {"/material/normal_stiffness_per_area: 0 Pa/m (must be"}},
              {R"("normal_stiffness_per_area": "1 MN/m", "shear_stiffness": 1)", {"/material/normal_stiffness_per_area", "GPa/m"}}}) {
-        check_message(error_of([&] { parse(stiffness); }), words);
+        check_message(error_of([&, &given = stiffness] { parse(given); }), words);
     }
 }
 
