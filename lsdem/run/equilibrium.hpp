@@ -22,7 +22,8 @@ struct Equilibrium {
 /// lower faces (across body z) that meet as drawn. See docs/theory/preparation.md, "Equilibrium".
 ///
 /// Nothing is changed, and `residual` says by how much it failed, where the structure has no such equilibrium nearby: contacts by nodes,
-/// blocks that do not stand on others, friction that would have to be more than it can.
+/// blocks that do not stand on others, friction that would have to be more than it can; or only one in which something bears that a gap
+/// kept apart as drawn.
 Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads = 1);
 
 /// Gap of faces that are tried as meeting at first, over the height of the block below, of a block on the ground half of it [-]: blocks are
