@@ -148,8 +148,10 @@ std::string describe_agreement(const lsdem::PairedRun& model) {
     if (model.materials == lsdem::Materials::own) return model.material;
     if (model.judgement.within_rounding) return "agrees to rounding";
     if (model.judgement.agreement == lsdem::Agreement::not_judged) return "not judged";
-    return fmt::format("{} ({:+.1f} sd, p {:.2g})", lsdem::to_string(model.judgement.agreement), model.judgement.lead,
-                       model.judgement.least_probability);
+    // asked beyond the horizon only
+    const double least = model.judgement.least_probability;
+    const std::string probability = least < 1.0 ? fmt::format(", p {:.2g}", least) : "";
+    return fmt::format("{} ({:+.1f} sd{})", lsdem::to_string(model.judgement.agreement), model.judgement.lead, probability);
 }
 
 void print_table(const lsdem::PairStudy& study) {

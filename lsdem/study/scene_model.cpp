@@ -85,8 +85,12 @@ FoundLaw name_measured(const scaling::ScaleFactors& has, const MadeOf& made, con
     const double acceleration =
         shaking.time ? has.length / (*shaking.time * *shaking.time) : *shaking.velocity * *shaking.velocity / has.length;
     const auto distance = [&](const Similitude& each) { return std::abs(acceleration / each.acceleration() - 1.0); };
-    const Similitude& nearest =
-        *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const auto find_nearest = [&](auto end) -> const Similitude& {
+        return *std::min_element(known.begin(), end, [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    };
+    // by elasticity, which is the last, only what neither weight nor friction explains
+    const Similitude& by_weight = find_nearest(known.end() - 1);
+    const Similitude& nearest = distance(by_weight) <= kLawTolerance ? by_weight : find_nearest(known.end());
     const ModelLaw law{.source = LawSource::measured, .why = {}, .shaking = shaking};
     if (distance(nearest) > kLawTolerance) return {Similitude(has, acceleration, kNoLaw), law};
     const bool is_it = distance(nearest) <= kMeasuredFactor;
