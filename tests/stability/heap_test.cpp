@@ -21,14 +21,12 @@ constexpr Demands kPouredFromHigh{.closure = 0.02, .gain = 1e-3, .kinetic = 1e-4
 
 }  // namespace
 
-TEST_SUITE("stability") {
+TEST_SUITE("stability-slow") {
     TEST_CASE("a heap of 36 blocks is poured and comes to rest") {
         const Model heap = make_poured_heap(3, 4, 0.1);
         check_sound("heap of 36", observe(heap, default_time_step(heap), 1.5, 300), kPoured);
     }
-}
 
-TEST_SUITE("stability-slow") {
     TEST_CASE("a heap of 36 blocks with the nodes of both sides is poured and comes to rest") {
         Model heap = make_poured_heap(3, 4, 0.1);
         heap.numerics.face_contact = FaceContact::nodes;
