@@ -187,18 +187,18 @@ bool move_blocks(const Unknowns& unknowns, const Eigen::VectorXd& moved, Model& 
 }
 
 /// What carries what: pairs of blocks, or of a block and the ground, whose joints are more level than upright.
-using Carriers = std::set<std::pair<std::size_t, std::optional<std::size_t>>>;
+using BearingPairs = std::set<std::pair<std::size_t, std::optional<std::size_t>>>;
 
-Carriers find_carriers(const std::vector<JointStiffness>& joints, const Vector3& gravity) {
+BearingPairs find_bearing_pairs(const std::vector<JointStiffness>& joints, const Vector3& gravity) {
     constexpr double kUpright = 0.6;  // of the cosine between the normal and gravity; no angle at which blocks are drawn
-    Carriers carriers;
+    BearingPairs pairs;
     for (const JointStiffness& joint : joints) {
         if (std::abs(joint.normal.dot(gravity)) > kUpright * gravity.norm()) {
             const std::size_t other = joint.follower.value_or(joint.leader);
-            carriers.emplace(std::min(joint.leader, other), joint.follower ? std::optional(std::max(joint.leader, other)) : std::nullopt);
+            pairs.emplace(std::min(joint.leader, other), joint.follower ? std::optional(std::max(joint.leader, other)) : std::nullopt);
         }
     }
-    return carriers;
+    return pairs;
 }
 
 }  // namespace
@@ -209,11 +209,12 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
     if (unknowns.count == 0 || specimen.model.gravity.isZero(0.0)) return equilibrium;
     Model model = specimen.model;
     std::vector<JointStiffness> joints = find_first_joints(model, time_step, threads);
-    const Carriers drawn = find_carriers(joints, model.gravity);
+    const BearingPairs drawn = find_bearing_pairs(joints, model.gravity);
     Imbalance left(Simulation(model, time_step, threads), unknowns);
     const double residual_as_drawn = left.largest;
     equilibrium.residual = residual_as_drawn;
     double halved = left.largest;
+    bool is_found = false;
     for (std::size_t waited = 0; waited < kMostSolves; ++waited) {
         Stiffness stiffness(model, unknowns);
         for (const JointStiffness& joint : joints) stiffness.add(joint);
@@ -232,12 +233,13 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
         model.preload = simulation.preloads();
         if (left.largest > kInEquilibrium) continue;
         // what a gap kept apart as drawn bears now: equilibrium is not where the blocks are drawn
-        const Carriers now = find_carriers(joints, model.gravity);
-        if (!std::includes(drawn.begin(), drawn.end(), now.begin(), now.end())) {
+        const BearingPairs now = find_bearing_pairs(joints, model.gravity);
+        if (!is_found && !std::includes(drawn.begin(), drawn.end(), now.begin(), now.end())) {
             equilibrium.residual = residual_as_drawn;
             return equilibrium;
         }
         specimen.model = model;
+        is_found = true;  // what follows moves blocks by rounding
     }
     return equilibrium;
 }
