@@ -13,8 +13,8 @@
 namespace musim::records::detail {
 namespace {
 
-[[noreturn]] void fail_file(const std::filesystem::path& path, std::string_view what_why, std::string_view what_to_do) {
-    throw ReadError(fmt::format("{}: {}; {}", path.string(), what_why, what_to_do));
+[[noreturn]] void fail_file(const std::filesystem::path& path, std::string_view what_why, const Remedy& what_to_do) {
+    throw ReadError(fmt::format("{}: {}", path.string(), what_why), what_to_do);
 }
 
 }  // namespace
@@ -58,10 +58,10 @@ TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(st
     }
 }
 
-void TextFile::fail(std::size_t index, std::string_view what_why, std::string_view what_to_do) const {
-    throw ReadError(fmt::format("{}:{}: {}; {}", path().string(), index + 1, what_why, what_to_do));
+void TextFile::fail(std::size_t index, std::string_view what_why, const Remedy& what_to_do) const {
+    throw ReadError(fmt::format("{}:{}: {}", path().string(), index + 1, what_why), what_to_do);
 }
 
-void InputFile::fail(std::string_view what_why, std::string_view what_to_do) const { fail_file(path_, what_why, what_to_do); }
+void InputFile::fail(std::string_view what_why, const Remedy& what_to_do) const { fail_file(path_, what_why, what_to_do); }
 
 }  // namespace musim::records::detail

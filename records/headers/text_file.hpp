@@ -22,7 +22,7 @@ class InputFile {
     const std::filesystem::path& path() const { return path_; }
 
     /// Throws ReadError `path: what_why; what_to_do`.
-    [[noreturn]] void fail(std::string_view what_why, std::string_view what_to_do) const;
+    [[noreturn]] void fail(std::string_view what_why, const Remedy& what_to_do) const;
 
   protected:
     ~InputFile() = default;
@@ -47,7 +47,7 @@ class TextFile : public InputFile {
 
     using InputFile::fail;
     /// Throws ReadError `path:line: what_why; what_to_do`, with the line counted from 1 as editors do.
-    [[noreturn]] void fail(std::size_t index, std::string_view what_why, std::string_view what_to_do) const;
+    [[noreturn]] void fail(std::size_t index, std::string_view what_why, const Remedy& what_to_do) const;
 
   private:
     std::string bytes_;
