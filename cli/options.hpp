@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/option_name.hpp"
 #include "scaling/error.hpp"
 #include "scaling/laws/scale_law.hpp"
 #include "scaling/laws/similitude.hpp"
@@ -97,7 +98,7 @@ auto read_option(const std::string& place, const Read& read) {
     try {
         return read();
     } catch (const std::runtime_error& error) {
-        throw CLI::ValidationError(place, error.what());
+        throw CLI::ValidationError(place, word(error));
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include "cli/app.hpp"
 #include "cli/commands.hpp"
+#include "cli/option_name.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "scaling/shorten.hpp"
@@ -57,9 +58,9 @@ int run_program(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return report_error("not enough memory; try a shorter duration or lower output rates", kInputError);
     } catch (const std::runtime_error& error) {
-        return report_error(error.what(), kInputError);
+        return report_error(word(error), kInputError);
     } catch (const std::invalid_argument& error) {
-        return report_error(error.what(), kInputError);
+        return report_error(word(error), kInputError);
     } catch (const std::exception& error) {
         return report_error(std::string("internal: ") + error.what(), kInternalError);
     }

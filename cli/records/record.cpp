@@ -13,6 +13,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/named_values.hpp"
+#include "cli/option_name.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/record_source.hpp"
@@ -258,9 +259,9 @@ void read_info(const RecordInfoOptions& options, const std::string& file, FileIn
             note_drift(info.components.back());
         }
     } catch (const records::ReadError& error) {
-        info.error = error.what();
+        info.error = word(error);
     } catch (const records::ProcessingError& error) {
-        info.error = file + ": " + error.what();
+        info.error = file + ": " + word(error);
     }
     if (!info.error.empty()) info.components.clear();
 }

@@ -60,7 +60,7 @@ void add_components(std::vector<records::ComponentCurves>& list, const records::
             if (model) list.push_back(records::compute_curves(*model, model->components[i], request, scales));
         }
     } catch (const records::ProcessingError& error) {
-        throw records::ProcessingError(prototype.source + ": " + error.what());
+        throw error.seen_from<records::ProcessingError>(prototype.source);
     }
 }
 

@@ -130,9 +130,9 @@ void use_file(FileSpectra& result, const std::string& file, const std::function<
     try {
         work();
     } catch (const records::ReadError& error) {
-        result = {.tables = {}, .error = error.what()};
+        result = {.tables = {}, .error = word(error)};
     } catch (const records::ProcessingError& error) {
-        result = {.tables = {}, .error = file + ": " + error.what()};
+        result = {.tables = {}, .error = file + ": " + word(error)};
     }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/scene_key.hpp"
 #include "records/formats/read_record.hpp"
 #include "records/measures/intensity.hpp"
 #include "records/processing/base_motion.hpp"
@@ -116,28 +117,12 @@ scaling::Time find_time_origin(const RecordMotion& motion, const records::Ground
     return earliest.value_or(scaling::Time{});
 }
 
-/// What is wrong with a record, its remedy in the keys of a scene where commands have options; counts have no key.
-std::string name_remedy_by_keys(const std::string& error, const std::string& file) {
-    const std::size_t end_of_name = error.starts_with(file) ? file.size() : 0;
-    const std::string place = error.substr(0, end_of_name);
-    std::string text = error.substr(end_of_name);
-    if (text.find("--sensitivity") != std::string::npos) {
-        return place + text.substr(0, text.rfind(';')) +
-               R"(; level it by `musim record process FILE --step '{"step": "level"}' -o FILE.csv` and name that file)";
-    }
-    for (const auto& [option, key] : {std::pair{"--dt SECONDS", R"("dt": "0.01 s")"}, std::pair{"--dt", R"("dt")"},
-                                      std::pair{"--unit", R"("unit")"}, std::pair{"--quantity", R"("quantity")"}}) {
-        if (const std::size_t at = text.find(option); at != std::string::npos) text.replace(at, std::string(option).size(), key);
-    }
-    return place + text;
-}
-
-/// Reads the record of a scene, which gives by keys what commands give by options.
+/// Reads the record of a scene, whose keys are the remedies of what is wrong with it; counts have no key.
 records::GroundMotion read_scene_record(const RecordMotion& motion) {
     try {
         return records::read_record(motion.file, {.dt = motion.dt, .unit = motion.unit, .quantity = motion.quantity});
     } catch (const records::ReadError& error) {
-        throw records::ReadError(name_remedy_by_keys(error.what(), motion.file.string()));
+        throw records::ReadError(error.worded(scene_key));
     }
 }
 
@@ -183,7 +168,7 @@ std::array<BaseComponent, 3> make_base_components(const SceneMotion& motion, con
         scale(components, motion.factors);
         return components;
     } catch (const records::ProcessingError& error) {
-        throw SceneError(fmt::format("{}: {}", place, error.what()));
+        throw error.seen_from<SceneError>(place);
     }
 }
 

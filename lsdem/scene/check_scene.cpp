@@ -12,6 +12,7 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/detail/scene_fields.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/scene_key.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/nearest_name.hpp"
@@ -227,7 +228,7 @@ void check(const RecordMotion& motion, const JsonPlace& place) {
         try {
             make_similitude(*motion.scale);
         } catch (const scaling::SimilitudeError& error) {
-            fail(place.at("scale"), error.what());
+            fail(place.at("scale"), error.worded(scene_key));
         }
     }
 }

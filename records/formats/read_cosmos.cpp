@@ -202,7 +202,8 @@ SampleQuantity chosen_quantity(const TextFile& file, const ReadOptions& options,
     const SampleQuantity wanted = options.quantity.value_or(SampleQuantity::acceleration);
     const bool is_there = std::any_of(channels.begin(), channels.end(), [&](const Channel& c) { return c.unit.quantity == wanted; });
     if (is_there) return wanted;
-    if (options.quantity) file.fail(fmt::format("file has no {} (asked for)", to_string(wanted)), "ask for another --quantity");
+    if (options.quantity)
+        file.fail(fmt::format("file has no {} (asked for)", to_string(wanted)), Remedy{"give another value for ", Setting::quantity});
     return channels.front().unit.quantity;
 }
 

@@ -86,13 +86,14 @@ void read_blocks(const TextFile& file, std::size_t start, std::size_t text_lines
         channel.unit = block.unit;
         channel.series.emplace(wanted, 0.0 * scaling::si::seconds, block.dt, std::move(samples));
     }
-    if (!channel.series) file.fail(start, fmt::format("channel has no {}", to_string(wanted)), "ask for another --quantity");
+    if (!channel.series)
+        file.fail(start, fmt::format("channel has no {}", to_string(wanted)), Remedy{"give another value for ", Setting::quantity});
 }
 
 // (time, value) pairs of the channel that starts on line `index`, which is left behind them
 void read_pairs(const TextFile& file, std::size_t& index, SampleQuantity wanted, CsmipChannel& channel) {
     if (wanted != SampleQuantity::acceleration) {
-        file.fail(index, fmt::format("channel has no {}", to_string(wanted)), "ask for another --quantity");
+        file.fail(index, fmt::format("channel has no {}", to_string(wanted)), Remedy{"give another value for ", Setting::quantity});
     }
     ResampledSeries resampled = read_volume1_pairs(file, index);
     channel.unit = kTenthOfG;

@@ -186,7 +186,9 @@ std::optional<TimeSeries> read_blocks(const Section& section, const ReadOptions&
         refuse_contradictions(file, options, block->unit, dt);
         series.emplace(wanted, start, dt, std::move(samples));
     }
-    if (!series) file.fail(section.start, fmt::format("component has no {}", to_string(wanted)), "ask for another --quantity");
+    if (!series)
+        file.fail(section.start, fmt::format("component has no {}", to_string(wanted)),
+                  Remedy{"give another value for ", Setting::quantity});
     return series;
 }
 

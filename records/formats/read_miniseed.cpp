@@ -204,13 +204,14 @@ std::optional<SampleQuantity> quantity_of(std::string_view channel) {
 StreamResponse response_from_number(const BinaryFile& file, const ReadOptions& options, const StreamCodes& codes) {
     const double sensitivity = *options.sensitivity;
     if (sensitivity == 0.0 || !std::isfinite(sensitivity)) {
-        file.fail(fmt::format("sensitivity is {} counts per SI unit (must be a number, not 0)", sensitivity), "correct --sensitivity");
+        file.fail(fmt::format("sensitivity is {} counts per SI unit (must be a number, not 0)", sensitivity),
+                  Remedy{"correct ", Setting::sensitivity});
     }
     const std::optional<SampleQuantity> given = quantity_of(codes.channel);
     if (!given && !options.quantity) {
         file.fail(
             fmt::format("channel code {} does not say what is measured (known from N, H or L)", quoted(std::string_view(codes.channel))),
-            "name it with --quantity");
+            Remedy{"give ", Setting::quantity});
     }
     return {.quantity = given ? *given : *options.quantity, .sensitivity = sensitivity};
 }
@@ -226,15 +227,17 @@ StreamResponse find_response(const BinaryFile& file, const ReadOptions& options,
 
 void check_options(const BinaryFile& file, const ReadOptions& options) {
     if (options.sensitivity && options.station_xml) {
-        file.fail("sensitivity and StationXML are both given (they may differ)", "drop --sensitivity or --station-xml");
+        file.fail("sensitivity and StationXML are both given (they may differ)",
+                  Remedy{"drop ", Setting::sensitivity, " or ", Setting::station_response});
     }
     if (!options.sensitivity && !options.station_xml) {
-        file.fail("sensitivity is not given (miniSEED holds counts)",
-                  "give --station-xml FILE, or --sensitivity NUMBER in counts per m/s^2 (1 if the samples are SI)");
+        file.fail(
+            "sensitivity is not given (miniSEED holds counts)",
+            Remedy{"give ", Setting::station_response, ", or ", Setting::sensitivity, " in counts per m/s^2 (1 if the samples are SI)"});
     }
     if (options.unit)
         file.fail(fmt::format("unit {} is asked for (miniSEED holds counts)", *options.unit),
-                  "drop --unit; the sensitivity gives the unit");
+                  Remedy{"drop ", Setting::unit, " (the sensitivity gives it)"});
 }
 
 // channel codes, with the location where a code occurs twice

@@ -39,8 +39,8 @@ constexpr BinaryFormat kBinaryFormats[] = {
 // other formats hold motion, not counts
 void refuse_sensitivity(const std::filesystem::path& path, const ReadOptions& options) {
     if (!options.sensitivity && !options.station_xml) return;
-    throw ReadError(
-        fmt::format("{}: sensitivity is given (only miniSEED holds counts); drop --sensitivity or --station-xml", path.string()));
+    throw ReadError(fmt::format("{}: sensitivity is given (the file holds no counts)", path.string()),
+                    Remedy{"drop ", Setting::sensitivity, " or ", Setting::station_response});
 }
 
 void refuse_binary(const std::filesystem::path& path, std::string_view bytes) {

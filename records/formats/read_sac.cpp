@@ -137,11 +137,12 @@ SampleUnit read_unit(const SacFile& sac, const ReadOptions& options) {
     if (!options.unit) {
         sac.file.fail(fmt::format("unit of the samples is not given (SAC means {} with IDEP = {}, but files in g or counts say the same)",
                                   given ? fmt::format("n{}", si_unit_name(*given)) : "nothing", idep),
-                      "name it with --unit, e.g. g, cm/s^2, nm/s^2");
+                      Remedy{"give ", Setting::unit, ", e.g. g, cm/s^2, nm/s^2"});
     }
     const SampleUnit unit = requested_unit(sac.file, options);
     if (given && *given != unit.quantity) {
-        sac.file.fail(fmt::format("file holds {} (IDEP = {}; asked for: {})", to_string(*given), idep, unit.name), "correct --unit");
+        sac.file.fail(fmt::format("file holds {} (IDEP = {}; asked for: {})", to_string(*given), idep, unit.name),
+                      Remedy{"correct ", Setting::unit});
     }
     return unit;
 }

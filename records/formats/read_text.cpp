@@ -166,7 +166,7 @@ std::optional<SampleUnit> find_title_unit(const TextFile& file, std::string_view
         if (!unit) continue;
         if (found && found->name != unit->name) {
             file.fail(fmt::format("title names two units, {} and {} (columns must hold one quantity)", found->name, unit->name),
-                      "split the file or give --unit");
+                      Remedy{"split the file or give ", Setting::unit});
         }
         found = unit;
     }
@@ -183,7 +183,8 @@ ChosenUnit choose_unit(const TextFile& file, std::string_view title, const ReadO
     if (!options.unit) {
         if (const std::optional<SampleUnit> unit = find_title_unit(file, title)) {
             if (options.quantity && *options.quantity != unit->quantity) {
-                file.fail(fmt::format("title names the unit {} (asked for: {})", unit->name, to_string(*options.quantity)), "give --unit");
+                file.fail(fmt::format("title names the unit {} (asked for: {})", unit->name, to_string(*options.quantity)),
+                          Remedy{"give ", Setting::unit});
             }
             return {*unit};
         }
@@ -212,9 +213,9 @@ GroundMotion parse_columns(const TextFile& file, const ReadOptions& options) {
     if (time_step) {
         refuse_contradictions(file, {.dt = options.dt}, unit, checked_dt(file, table.rows.front().line, *time_step));
     } else if (!options.dt) {
-        file.fail("time step is unknown (first column is not an evenly increasing time)", "give it with --dt SECONDS");
+        file.fail("time step is unknown (first column is not an evenly increasing time)", Remedy{"give ", Setting::time_step});
     } else if (!(options.dt->value() > 0.0) || !std::isfinite(options.dt->value())) {
-        file.fail(fmt::format("time step is {} s (must be positive)", options.dt->value()), "correct --dt");
+        file.fail(fmt::format("time step is {} s (must be positive)", options.dt->value()), Remedy{"correct ", Setting::time_step});
     }
     const bool has_time = time_step && !has_counts;
     const scaling::Time dt = time_step ? *time_step * scaling::si::seconds : *options.dt;

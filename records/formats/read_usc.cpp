@@ -120,7 +120,7 @@ TimeSeries read_corrected(const TextFile& file, const ReadOptions& options) {
     }
     if (!series) {
         file.fail(std::min(first_block, file.size() - 1), fmt::format("file has no {}", to_string(wanted)),
-                  "ask for another --quantity or fetch the record again");
+                  Remedy{"give another value for ", Setting::quantity, ", or fetch the record again"});
     }
     check_end(file, 1, index);
     return *std::move(series);

@@ -58,8 +58,10 @@ TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(st
     }
 }
 
+std::string TextFile::place_of(std::size_t index) const { return fmt::format("{}:{}", path().string(), index + 1); }
+
 void TextFile::fail(std::size_t index, std::string_view what_why, const Remedy& what_to_do) const {
-    throw ReadError(fmt::format("{}:{}: {}", path().string(), index + 1, what_why), what_to_do);
+    throw ReadError(fmt::format("{}: {}", place_of(index), what_why), what_to_do);
 }
 
 void InputFile::fail(std::string_view what_why, const Remedy& what_to_do) const { fail_file(path_, what_why, what_to_do); }

@@ -45,8 +45,11 @@ class TextFile : public InputFile {
     /// Line `index`, counted from 0; empty beyond the end.
     std::string_view line(std::size_t index) const { return index < lines_.size() ? lines_[index] : std::string_view{}; }
 
+    /// `path:line` of line `index`, counted from 1 as editors do.
+    std::string place_of(std::size_t index) const;
+
     using InputFile::fail;
-    /// Throws ReadError `path:line: what_why; what_to_do`, with the line counted from 1 as editors do.
+    /// Throws ReadError `path:line: what_why; what_to_do`.
     [[noreturn]] void fail(std::size_t index, std::string_view what_why, const Remedy& what_to_do) const;
 
   private:

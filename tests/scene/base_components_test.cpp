@@ -69,12 +69,12 @@ TEST_CASE("what a record lacks is asked for by the scene's keys, not by options 
         }
         return "";
     };
-    CHECK(refuse(file, R"(, "unit": "furlong")").ends_with("name one of these with \"unit\""));
+    CHECK(refuse(file, R"(, "unit": "furlong")").ends_with("give one of these as \"unit\""));
     CHECK(refuse(file, R"(, "unit": "g")").starts_with(file));
-    CHECK(refuse(file, R"(, "unit": "g")").ends_with("give it with \"dt\": \"0.01 s\""));
+    CHECK(refuse(file, R"(, "unit": "g")").ends_with("give \"dt\""));
     if (!tests::have_shared_records()) return;
     const std::string counts = refuse((tests::shared_records() / "mseed" / "CI.CLC..HNE.mseed").string(), "");
-    CHECK(counts.find("(miniSEED holds counts); level it by `musim record process FILE") != std::string::npos);
+    CHECK(counts.find("(miniSEED holds counts); give the station's StationXML, or the sensitivity in counts") != std::string::npos);
     CHECK(counts.find("--sensitivity") == std::string::npos);
 }
 

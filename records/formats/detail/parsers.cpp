@@ -22,11 +22,12 @@ SampleUnit requested_unit(const InputFile& file, const ReadOptions& options) {
 
     const std::optional<SampleUnit> unit = find_sample_unit(*options.unit);
     if (!unit) {
-        file.fail(fmt::format("unit '{}' is unknown (known: {})", *options.unit, sample_unit_names()), "name one of these with --unit");
+        file.fail(fmt::format("unit '{}' is unknown (known: {})", *options.unit, sample_unit_names()),
+                  Remedy{"give one of these as ", Setting::unit});
     }
     if (options.quantity && unit->quantity != quantity) {
         file.fail(fmt::format("unit {} measures {} (asked for: {})", unit->name, to_string(unit->quantity), to_string(quantity)),
-                  "correct --unit or --quantity");
+                  Remedy{"correct ", Setting::unit, " or ", Setting::quantity});
     }
     return *unit;
 }
@@ -56,16 +57,18 @@ double checked_sample(const TextFile& file, std::size_t index, std::string_view 
 
 void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt) {
     if (options.quantity && *options.quantity != unit.quantity) {
-        file.fail(fmt::format("file holds {} (asked for: {})", to_string(unit.quantity), to_string(*options.quantity)), "drop --quantity");
+        file.fail(fmt::format("file holds {} (asked for: {})", to_string(unit.quantity), to_string(*options.quantity)),
+                  Remedy{"drop ", Setting::quantity});
     }
     if (options.unit) {
         const std::optional<SampleUnit> asked = find_sample_unit(*options.unit);
         if (!asked || asked->quantity != unit.quantity || asked->si != unit.si) {
-            file.fail(fmt::format("file states its unit {} (asked for: {})", unit.name, *options.unit), "drop --unit");
+            file.fail(fmt::format("file states its unit {} (asked for: {})", unit.name, *options.unit), Remedy{"drop ", Setting::unit});
         }
     }
     if (options.dt && std::abs(options.dt->value() - dt.value()) > kSameTimeStep * dt.value()) {
-        file.fail(fmt::format("file states its time step {} s (asked for: {} s)", dt.value(), options.dt->value()), "drop --dt");
+        file.fail(fmt::format("file states its time step {} s (asked for: {} s)", dt.value(), options.dt->value()),
+                  Remedy{"drop ", Setting::time_step});
     }
 }
 

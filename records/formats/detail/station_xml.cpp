@@ -53,7 +53,7 @@ pugi::xml_node find_epoch(const BinaryFile& file, const pugi::xml_node& root, co
                 }
                 if (found) {
                     file.fail(fmt::format("two epochs of {} cover the record (their sensitivities may differ)", to_string(codes)),
-                              "give --sensitivity, a number");
+                              Remedy{"give ", Setting::sensitivity});
                 }
                 found = channel;
             }
@@ -99,7 +99,7 @@ StreamResponse read_stream_response(const std::filesystem::path& path, const Str
     }
     const std::string_view output = trim(sensitivity.child("OutputUnits").child_value("Name"));
     if (!equal_ignoring_case(output, "counts") && !equal_ignoring_case(output, "count")) {
-        file.fail(fmt::format("{} gives out {} (must be counts)", name, quoted(output)), "give --sensitivity, a number");
+        file.fail(fmt::format("{} gives out {} (must be counts)", name, quoted(output)), Remedy{"give ", Setting::sensitivity});
     }
 
     StreamResponse response{.quantity = unit->quantity, .sensitivity = *value / unit->si};

@@ -67,9 +67,7 @@ ResampledSeries resample(const TextFile& file, SampleQuantity quantity, const Ti
     try {
         return resample_uneven(quantity, timed.times, timed.samples);
     } catch (const ReadError& error) {
-        const std::string_view message = error.what();
-        const std::size_t advice = message.rfind("; ");
-        file.fail(timed.line, message.substr(0, advice), message.substr(advice + 2));
+        throw error.seen_from<ReadError>(file.place_of(timed.line));
     }
 }
 

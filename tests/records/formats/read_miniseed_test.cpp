@@ -104,7 +104,7 @@ TEST_CASE("counts without a sensitivity, and options that contradict, are refuse
     const auto text = folder.write("b", "1\n2\n3\n");
     const auto message = [&](const ReadOptions& options) { return tests::message_of<ReadError>([&] { read_record(path, options); }); };
 
-    CHECK(message({}).find("a: sensitivity is not given (miniSEED holds counts); give --station-xml FILE, or --sensitivity") !=
+    CHECK(message({}).find("a: sensitivity is not given (miniSEED holds counts); give the station's StationXML, or the sensitivity") !=
           std::string::npos);
     CHECK(message({.sensitivity = 0.0}).find("a: sensitivity is 0 counts") != std::string::npos);
     CHECK(message({.sensitivity = 1.0, .station_xml = "x"}).find("a: sensitivity and StationXML are both given") != std::string::npos);

@@ -34,7 +34,7 @@ TEST_CASE("without a time column the time step must be given, and the message sa
     const auto path = folder.write("a.txt", "1\n2\n3\n");
 
     const std::string message = tests::message_of<ReadError>([&] { read_record(path); });
-    CHECK(message.find("--dt") != std::string::npos);
+    CHECK(message.find("give the time step") != std::string::npos);
 
     const TimeSeries series = read_record(path, {.dt = 0.5 * seconds}).components.front().series;
     CHECK(series.dt().value() == 0.5);

@@ -1,0 +1,22 @@
+#include "lsdem/scene/scene_key.hpp"
+
+namespace musim::lsdem {
+
+std::string_view scene_key(Setting setting) {
+    switch (setting) {
+        case Setting::time_step:
+            return "\"dt\"";
+        case Setting::unit:
+            return "\"unit\"";
+        case Setting::quantity:
+            return "\"quantity\"";
+        case Setting::columns:
+            return "\"columns\"";
+        case Setting::skipped_lines:
+            return "\"skip\"";
+        default:
+            return plain_name(setting);
+    }
+}
+
+}  // namespace musim::lsdem
