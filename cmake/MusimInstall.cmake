@@ -10,6 +10,7 @@ install(FILES ${MUSIM_PAGES}/bash/musim DESTINATION ${CMAKE_INSTALL_DATADIR}/bas
 install(FILES ${MUSIM_PAGES}/zsh/_musim DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES lsdem/scene/musim-scene-1.schema.json scaling/musim-law-1.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/musim)
 install(DIRECTORY scaling/laws DESTINATION ${CMAKE_INSTALL_DATADIR}/musim FILES_MATCHING PATTERN "*.json")
+install(FILES scripts/paraview_blocks.py DESTINATION ${CMAKE_INSTALL_DATADIR}/musim)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

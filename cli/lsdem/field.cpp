@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -26,6 +28,7 @@ struct FieldCommand {
     std::vector<Number> times;  ///< [s]
     std::string limit;          ///< a velocity with its unit
     std::vector<std::string> formats;
+    bool csv = false;            ///< velocities on the image grid, too
     std::vector<Number> window;  ///< of the animation [s]
     std::string film;            ///< "", "png", "mp4", "gif"
     Number rate{25.0};           ///< [1/s]
@@ -45,7 +48,7 @@ std::vector<double> choose_times(const lsdem::StoredRun& run, const FieldCommand
     return times;
 }
 
-/// Where colours end [m/s]; 0: at what is seen.
+/// End of the colours [m/s]; 0: at the largest velocity that is seen.
 double read_limit(const std::string& text) {
     if (text.empty()) return 0.0;
     const double limit = read_option("--limit", [&] { return scaling::parse_si(text, scaling::dimension_of<scaling::Velocity>()); });
@@ -57,7 +60,7 @@ lsdem::FieldPicture make_picture(const FieldCommand& options, lsdem::CameraSide 
     return {.side = side, .component = options.look.shown(), .limit = read_limit(options.limit), .name = options.directory};
 }
 
-/// What a run's frames are drawn into.
+/// Pictures that were made, and what is printed about them.
 struct Drawn {
     nlohmann::json json;
     std::vector<std::string> pictures;
@@ -74,13 +77,15 @@ Drawn draw_times(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const
         drawn.pictures.push_back("field." + format);
         folder.add_text(drawn.pictures.back(), lsdem::make_picture_bytes(svg, format));
     }
-    nlohmann::json grids = nlohmann::json::array();
+    nlohmann::json fields = nlohmann::json::array();
     for (const lsdem::FieldView& view : views) {
+        nlohmann::json& field = fields.emplace_back(nlohmann::json{{"time_s", view.image.time}});
+        if (!options.csv) continue;
         const std::string name = fmt::format("field_{:.6g}s.csv", view.image.time);
         folder.add_text(name, lsdem::make_field_csv(run, view.frame, view.image, camera.side));
-        grids.push_back({{"time_s", view.image.time}, {"grid", name}});
+        field["grid"] = name;
     }
-    drawn.json["fields"] = grids;
+    drawn.json["fields"] = fields;
     return drawn;
 }
 
@@ -98,28 +103,58 @@ std::vector<std::size_t> choose_frames(const lsdem::StoredRun& run, const FieldC
     return frames;
 }
 
-Drawn draw_film(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const FieldCommand& options,
-                const lsdem::CameraSettings& camera) {
-    if (options.film != "png" && !lsdem::can_write_film()) {
-        throw std::runtime_error("--film " + options.film +
-                                 ": there is no ffmpeg to make a film with; install it (apt-get install ffmpeg), or take --film png");
+/// A folder for the pictures that a film is made of, which goes when the film is there, or cannot be made.
+class FilmPictures {
+  public:
+    explicit FilmPictures(const std::filesystem::path& out) : folder_(out / ".film") { remove(); }
+    ~FilmPictures() { remove(); }
+    FilmPictures(const FilmPictures&) = delete;
+    FilmPictures& operator=(const FilmPictures&) = delete;
+
+    const std::filesystem::path& path() const { return folder_; }
+
+  private:
+    void remove() const noexcept {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
     }
+
+    std::filesystem::path folder_;
+};
+
+/// Draws a picture for each frame into a folder.
+Drawn draw_frames(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const FieldCommand& options,
+                  const lsdem::CameraSettings& camera) {
     ProgressLine progress(options.directory);
     const lsdem::AnimationSettings settings{.frames = choose_frames(run, options),
                                             .camera = camera,
                                             .picture = make_picture(options, camera.side),
                                             .threads = options.threads,
                                             .on_progress = [&](double fraction) { progress.update(fraction); }};
-    Drawn drawn;
-    drawn.json["limit_m_s"] = lsdem::add_animation_frames(folder, run, settings);
-    drawn.json["frames"] = settings.frames.size();
-    drawn.json["frame_names"] = lsdem::kAnimationFrames;
+    const double limit = lsdem::add_animation_frames(folder, run, settings);
     folder.commit();
-    drawn.pictures.emplace_back(lsdem::kAnimationFrames);
-    if (options.film == "png") return drawn;
-    drawn.pictures.push_back("field." + options.film);
-    lsdem::write_film(options.out, drawn.pictures.back(), options.rate);
-    drawn.json["film"] = drawn.pictures.back();
+    return {.json = {{"limit_m_s", limit}, {"frames", settings.frames.size()}}, .pictures = {}};
+}
+
+Drawn draw_film(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const FieldCommand& options,
+                const lsdem::CameraSettings& camera) {
+    if (options.film == "png") {
+        Drawn drawn = draw_frames(folder, run, options, camera);
+        drawn.json["frame_names"] = lsdem::kAnimationFrames;
+        drawn.pictures.emplace_back(lsdem::kAnimationFrames);
+        return drawn;
+    }
+    if (!lsdem::can_write_film()) {
+        throw std::runtime_error("--film " + options.film +
+                                 ": there is no ffmpeg to make a film with; install it (apt-get install ffmpeg), or take --film png");
+    }
+    const FilmPictures pictures(options.out);
+    lsdem::ResultFolder frames(pictures.path());
+    Drawn drawn = draw_frames(frames, run, options, camera);
+    const std::string film = "field." + options.film;
+    lsdem::write_film(pictures.path(), std::filesystem::path(options.out) / film, options.rate);
+    drawn.json["film"] = film;
+    drawn.pictures.push_back(film);
     return drawn;
 }
 
@@ -154,9 +189,7 @@ void add_field_command(CLI::App& app, Action& action) {
     command->add_option("directory", options->directory, "Directory of results with frames, as `musim run -o` writes it")
         ->required()
         ->type_name("DIR");
-    command->add_option("-o,--out", options->out, "Directory for pictures, and the velocities on the image grid as CSV")
-        ->required()
-        ->type_name("OUT");
+    command->add_option("-o,--out", options->out, "Directory for the pictures or the film")->required()->type_name("OUT");
     CLI::Option* at = command->add_option("--at", options->times, "Times that are drawn beside each other [s] (default: six, evenly)");
     at->type_name("TIME");
     options->look.add_to(*command);
@@ -165,8 +198,12 @@ void add_field_command(CLI::App& app, Action& action) {
     CLI::Option* format = command->add_option("--format", options->formats, "Kinds of picture (default: svg and png)")
                               ->delimiter(',')
                               ->check(one_of({"svg", "png", "pdf"}));
-    CLI::Option* film = command->add_option("--film", options->film, "All frames, one picture each; mp4 and gif need ffmpeg");
-    film->check(one_of({"png", "mp4", "gif"}))->excludes(at)->excludes(format);
+    CLI::Option* csv = command->add_flag("--csv", options->csv,
+                                         "Also the velocities that each picture shows, a line per point of the image grid: "
+                                         "some 14 MB for a picture of 240 columns of a tower");
+    CLI::Option* film =
+        command->add_option("--film", options->film, "All frames: a picture each (png), or a film alone (mp4, gif), which needs ffmpeg");
+    film->check(one_of({"png", "mp4", "gif"}))->excludes(at)->excludes(format)->excludes(csv);
     command->add_option("--window", options->window, "Part of the run that is filmed [s]")->expected(2)->type_name("FROM TO")->needs(film);
     add_positive_option(*command, "--rate", options->rate, "Pictures of the film a second")->default_str("25")->needs(film);
     add_threads_option(*command, options->threads);
@@ -176,9 +213,8 @@ void add_field_command(CLI::App& app, Action& action) {
         "  musim field out/tower -o out/tower/field --at 0.4 0.5 0.6\n"
         "  musim field out/tower -o out/tower/field --component up --limit \"5 cm/s\" --format pdf\n"
         "  musim field out/tower -o out/tower/film --film mp4 --window 0.2 1.2\n"
-        "Blocks are boxes in the colour of their velocity to the right, upward, or of its magnitude. A run has frames when its scene asks "
-        "for "
-        "them:\n"
+        "Blocks are boxes in the colour of their velocity to the right, upward, or of its magnitude, relative to the fixed axes of the\n"
+        "scene, not to the base. A run has frames when its scene asks for them:\n"
         "\"output\": {\"frame_rate\": \"100 Hz\"}.");
     command->callback([&action, options] { action = [options] { return run_whole([&] { return run_field(*options); }); }; });
 }

@@ -66,17 +66,15 @@ double add_animation_frames(ResultFolder& folder, const StoredRun& run, const An
 
 bool can_write_film() { return detail::has_program("ffmpeg"); }
 
-void write_film(const fs::path& folder, const std::string& name, double rate) {
-    const fs::path file = folder / name, unfinished = folder / ("." + name + ".unfinished");
+void write_film(const fs::path& pictures, const fs::path& file, double rate) {
+    const fs::path unfinished = file.parent_path() / ("." + file.filename().string() + ".unfinished");
     if (!can_write_film()) {
-        throw records::WriteError(
-            fmt::format("{}: there is no ffmpeg to make a film with; install it (apt-get install ffmpeg), or use the "
-                        "pictures {}",
-                        file.string(), (folder / kAnimationFrames).string()));
+        throw records::WriteError(fmt::format(
+            "{}: there is no ffmpeg to make a film with; install it (apt-get install ffmpeg), or take the pictures alone", file.string()));
     }
     std::vector<std::string> command{
-        "ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:.6g}", rate), "-i", (folder / kAnimationFrames).string()};
-    for (const std::string& word : list_encoding(fs::path(name).extension().string())) command.push_back(word);
+        "ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:.6g}", rate), "-i", (pictures / kAnimationFrames).string()};
+    for (const std::string& word : list_encoding(file.extension().string())) command.push_back(word);
     command.push_back(unfinished.string());
     const std::optional<int> status = detail::run_program(command);
     std::error_code error;
@@ -84,7 +82,7 @@ void write_film(const fs::path& folder, const std::string& name, double rate) {
     if (status == 0 && !error) return;
     std::error_code ignored;
     fs::remove(unfinished, ignored);
-    throw records::WriteError(fmt::format("{}: ffmpeg could not make it ({}); the pictures are there, try it by hand", file.string(),
+    throw records::WriteError(fmt::format("{}: ffmpeg could not make it ({}); take the pictures alone, and try it by hand", file.string(),
                                           error    ? error.message()
                                           : status ? fmt::format("exit status {}", *status)
                                                    : "it could not be started"));

@@ -25,9 +25,9 @@ inline constexpr const char* kAnimationFrames = "field_%05d.png";
 /// Adds one PNG per frame to a folder; where the colours end [m/s]. Throws records::WriteError when musim was built without PNG.
 double add_animation_frames(ResultFolder& folder, const StoredRun& run, const AnimationSettings& settings);
 
-/// A film of the pictures that add_animation_frames() left in a folder. `name` ends with .mp4 (H.264) or .gif; `rate`: pictures a second.
-/// The file is complete or absent. Throws records::WriteError when there is no ffmpeg, or it fails.
-void write_film(const std::filesystem::path& folder, const std::string& name, double rate);
+/// Film of the pictures that add_animation_frames() left in a folder. `file` ends with .mp4 (H.264) or .gif; `rate`: pictures a second.
+/// The file is complete or absent; the pictures stay. Throws records::WriteError when there is no ffmpeg, or it fails.
+void write_film(const std::filesystem::path& pictures, const std::filesystem::path& file, double rate);
 
 /// Is there an ffmpeg on the PATH?
 bool can_write_film();

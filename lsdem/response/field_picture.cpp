@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 
@@ -14,7 +15,7 @@ namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
-constexpr double kFieldLeft = 74.0, kFieldTop = 62.0, kFieldBottom = 54.0, kBarGap = 26.0, kBarWidth = 18.0, kBarLabels = 92.0;
+constexpr double kFieldLeft = 74.0, kFieldTop = 79.0, kFieldBottom = 54.0, kBarGap = 26.0, kBarWidth = 18.0, kBarLabels = 92.0;
 /// The longer side of a panel, alone and beside others; a panel alone is not narrower than its title.
 constexpr double kLongSide = 640.0, kLongSideOfMany = 420.0, kLeastWidth = 240.0;
 /// Between panels, for their times and scales; and how wide a row may be.
@@ -134,7 +135,7 @@ class FieldPanel {
             detail::draw_line(svg, left_ - 4.0, to_y(value), left_, to_y(value), "stroke=\"#333\"");
             if (leftmost) detail::draw_text(svg, left_ - 7.0, to_y(value) + 4.0, "end", "class=\"small\"", fmt::format("{:.4g}", value));
         });
-        if (leftmost) detail::draw_upward_text(svg, 20.0, top_ + 0.5 * grid_.height, "height [m]");
+        if (leftmost) detail::draw_upward_text(svg, 20.0, top_ + 0.5 * grid_.height, "z [m]");
     }
 
     void draw_time(std::string& svg) const {
@@ -166,6 +167,32 @@ class FieldPanel {
     double left_, top_;
 };
 
+/// The world's axis that a side of the camera has at its right, and the one on which the camera stands.
+struct SideNames {
+    const char *right, *stand;
+};
+
+SideNames name_axes(CameraSide side) {
+    switch (side) {
+        case CameraSide::plus_x:
+            return {"y", "+x"};
+        case CameraSide::minus_x:
+            return {"−y", "−x"};
+        case CameraSide::plus_y:
+            return {"−x", "+y"};
+        case CameraSide::minus_y:
+            break;
+    }
+    return {"x", "−y"};
+}
+
+/// "velocity to the right, along x".
+std::string name_component(FieldComponent component, CameraSide side) {
+    if (component == FieldComponent::up) return "velocity upward, along z";
+    if (component == FieldComponent::speed) return "speed in the image plane";
+    return fmt::format("velocity to the right, along {}", name_axes(side).right);
+}
+
 }  // namespace
 
 std::vector<FieldView> take_views(const StoredRun& run, const std::vector<double>& times, const CameraSettings& settings) {
@@ -193,21 +220,25 @@ double find_field_limit(const StoredRun& run, const std::vector<FieldView>& view
 std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& views, const FieldPicture& picture) {
     const PanelGrid grid = lay_out(views.front().image, views.size());
     const bool alone = views.size() == 1;
-    std::string svg = detail::open_svg(grid.right() + kBarGap + kBarWidth + kBarLabels, grid.bottom() + kFieldBottom);
-    detail::draw_text(svg, 16.0, 26.0, "start", "class=\"title\"",
-                      alone ? fmt::format("Velocity at {:.4g} s", views.front().image.time) : "Velocity");
-    detail::draw_text(svg, 16.0, 45.0, "start", "class=\"small\"", picture.name);
+    const double width = grid.right() + kBarGap + kBarWidth + kBarLabels;
+    const SideNames axes = name_axes(picture.side);
+    const std::string component = name_component(picture.component, picture.side);
+    std::string title = component;
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    if (alone) title += fmt::format(", at {:.4g} s", views.front().image.time);
+    std::string svg = detail::open_svg(width, grid.bottom() + kFieldBottom);
+    detail::draw_text(svg, 16.0, 26.0, "start", "class=\"title\"", title);
+    detail::draw_text(svg, 16.0, 45.0, "start", "class=\"small\"", detail::shorten(picture.name, detail::kSmallFont, width - 32.0));
+    detail::draw_text(svg, 16.0, 62.0, "start", "class=\"small\"",
+                      fmt::format("seen from {}; velocities relative to the fixed axes, not to the base", axes.stand));
     for (std::size_t i = 0; i < views.size(); ++i) {
         const FieldPanel panel(run, views[i], picture, grid, i);
         panel.draw_blocks(svg, i);
         panel.draw_frame(svg, grid.is_leftmost(i));
         if (!alone) panel.draw_time(svg);
     }
-    detail::draw_text(svg, 0.5 * (kFieldLeft + grid.right()), grid.bottom() + 40.0, "middle", "", "to the right [m]");
-    const char* label = picture.component == FieldComponent::right ? "velocity to the right [m/s]"
-                        : picture.component == FieldComponent::up  ? "velocity upward [m/s]"
-                                                                   : "speed in the image plane [m/s]";
-    draw_color_bar(svg, grid.right() + kBarGap, grid.top(0), grid.height, find_colors(picture), label);
+    detail::draw_text(svg, 0.5 * (kFieldLeft + grid.right()), grid.bottom() + 40.0, "middle", "", fmt::format("{} [m]", axes.right));
+    draw_color_bar(svg, grid.right() + kBarGap, grid.top(0), grid.height, find_colors(picture), component + " [m/s]");
     svg += "</svg>\n";
     return svg;
 }

@@ -15,7 +15,7 @@ struct FieldView {
     CameraImage image;
 };
 
-/// What a picture of the field shows.
+/// Choice of what a picture of the field shows.
 struct FieldPicture {
     CameraSide side = CameraSide::minus_y;
     FieldComponent component = FieldComponent::right;
@@ -31,7 +31,9 @@ std::vector<FieldView> take_views(const StoredRun& run, const std::vector<double
 double find_field_limit(const StoredRun& run, const std::vector<FieldView>& views, CameraSide side, FieldComponent component);
 
 /// The blocks that are seen, in the colour of their velocity, one panel for each view, in rows where there are many, with one colour bar.
-/// Signed components get a diverging map, white at rest, the speed a sequential one. There is one view at least.
+/// Title, axes and a line below the title name the component by the world's axis, the side of the camera, and what velocities are relative
+/// to: the fixed axes of the scene (the ground at rest), as stored. Signed components get a diverging map, white at rest, the speed a
+/// sequential one. There is one view at least.
 std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& views, const FieldPicture& picture);
 
 }  // namespace musim::lsdem

@@ -29,7 +29,7 @@ run(printed ${WORK}/build/own_law)
 expect(printed "t 0.0016\nv 25\n")
 
 foreach(pattern man/man1/musim-record-plot.1* bash-completion/completions/musim zsh/*/_musim doc/musim/examples/wall.json doc/musim/docs/user/*.md
-                musim/musim-scene-1.schema.json)
+                musim/musim-scene-1.schema.json musim/paraview_blocks.py)
   file(GLOB found ${PREFIX}/share/${pattern})
   if(NOT found)
     message(FATAL_ERROR "${PREFIX}/share/${pattern} is missing")

@@ -1,4 +1,5 @@
-"""ParaView reads result.xdmf: times, places, sizes, turns and velocities of all blocks, with units in their names.
+"""ParaView reads result.xdmf: times, places, sizes, turns and velocities of all blocks, with units in their names; scripts/paraview_blocks.py
+makes a picture of it.
 
 usage: paraview_test.py MUSIM. Exit code 77: skipped, since there is no ParaView.
 """
@@ -62,6 +63,9 @@ def main():
             for q in frame["fields"]["quaternion"]:
                 assert close(sum(part * part for part in q), 1.0, 8.0), q
         check_motion(frames, samples)
+        script = pathlib.Path(__file__).resolve().parents[2] / "scripts/paraview_blocks.py"
+        subprocess.run(["pvpython", "--force-offscreen-rendering", script, "out", "blocks.png", "0.01"], cwd=place, check=True, capture_output=True)
+        assert (place / "blocks.png").read_bytes().startswith(b"\x89PNG"), "no picture"
     print("ParaView reads what musim writes")
 
 

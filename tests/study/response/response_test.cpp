@@ -175,7 +175,7 @@ TEST_CASE("the camera sees the block in front, in its colour and place") {
     CHECK(count_of(panels, "<polygon") == 6);
     CHECK(count_of(panels, "<clipPath") == 3);
     CHECK(count_of(panels, ">0.25 s<") == 3);
-    CHECK(count_of(panels, ">velocity to the right [m/s]<") == 1);
+    CHECK(count_of(panels, ">velocity to the right, along x [m/s]<") == 1);
     CHECK(find_field_limit(run, {{0, front}}, CameraSide::minus_y, FieldComponent::right) == 1.0);
     CHECK(find_field_limit(run, {{0, front}}, CameraSide::minus_y, FieldComponent::up) == 0.5);
 
