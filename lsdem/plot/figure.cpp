@@ -161,7 +161,7 @@ std::string make_svg(const Figure& figure) {
             draw_text(content, kLeft, y, "start", "class=\"small\"", line);
         }
     }
-    return detail::open_svg(right + kRight, y + kCaptionLine) + content + "</svg>\n";
+    return detail::open_svg(right + kRight, y + kCaptionLine, figure.title) + content + "</svg>\n";
 }
 
 }  // namespace musim::lsdem

@@ -1,5 +1,7 @@
 #include "lsdem/plot/line_plot.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -21,6 +23,9 @@ detail::LineStyle find_style(std::size_t index) {
     return {kColors[index % kColors.size()], 1.6, kDashes[index / kColors.size() % kDashes.size()]};
 }
 
+/// Look of a run, as where runs are drawn on top of each other.
+detail::LineStyle find_run_style(std::size_t run) { return detail::kLineStyles[run % detail::kLineStyles.size()]; }
+
 }  // namespace
 
 LinePlot make_level_plot(const std::string& title, const std::string& subtitle, const std::string& x_label) {
@@ -31,9 +36,10 @@ std::string make_svg(const LinePlot& plot) {
     detail::PanelPlace place{.frame = kFrame, .x_range = {.logarithmic = plot.x_logarithmic}};
     detail::add_abscissas(place.x_range, plot);
     place.x_range.widen(0.02);
-    const std::vector<detail::LineStyle> styles = detail::find_styles(plot, find_style);
+    const std::vector<detail::LineStyle> styles = detail::find_styles(plot, plot.of_runs ? find_run_style : find_style);
 
-    std::string svg = detail::open_svg(kFrame.right() + kLegendWidth, kFrame.bottom() + kLineBottom);
+    std::string svg = detail::open_svg(kFrame.right() + kLegendWidth, kFrame.bottom() + kLineBottom,
+                                       fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label));
     detail::draw_text(svg, kFrame.left, 26.0, "start", "class=\"title\"", plot.title);
     detail::draw_text(svg, kFrame.left, 46.0, "start", "class=\"small\"", plot.subtitle);
     detail::draw_panel(svg, plot, place, styles);

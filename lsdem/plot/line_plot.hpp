@@ -11,13 +11,16 @@ struct PlotBand {
     double to = 0.0;
 };
 
+/// PlotSeries::style of a place that is marked on an axis, a thin dashed line as of StackedPlot::mark.
+inline constexpr int kMarkStyle = -2;
+
 /// One series of a line plot.
 struct PlotSeries {
     std::string label = {};              ///< in the legend; empty: not named there
     std::vector<double> x = {}, y = {};  ///< equally long; points that are not finite are left out
     bool marks = false;                  ///< a dot at every point
     bool line = true;                    ///< the points joined
-    int style = -1;                      ///< colour and dash; series of the same number look alike; -1: the next one
+    int style = -1;                      ///< colour and dash; series of the same number look alike; -1: the next one; kMarkStyle
     std::vector<double> y_error = {};    ///< half lengths of bars at the points; empty: none
     std::vector<double> y_low = {};      ///< as many as points: the stretch from here to y is shaded in place of a line; empty: none
     std::vector<PlotBand> bands = {};    ///< shaded in the colour of the series
@@ -33,6 +36,7 @@ struct LinePlot {
     bool y_from_zero = false;     ///< the vertical axis includes 0, when it is not logarithmic
     bool x_logarithmic = false;   ///< points, and bars that reach, to zero or below are left out
     bool y_logarithmic = false;   ///< likewise
+    bool of_runs = false;         ///< each series is a run, its style the run's number: drawn as in a StackedPlot of the same runs
     double y_most_decades = 0.0;  ///< what a logarithmic vertical axis shows below the greatest value; 0: all
 };
 

@@ -36,9 +36,10 @@ using detail::kLineStyles;
 using detail::round_down;
 using detail::stroke;
 
-/// How the curves of run `r` are drawn.
+/// Look of the curves of run `r`.
 detail::LineStyle style_of(const StackedPlot& plot, std::size_t r) {
-    detail::LineStyle style = kLineStyles[r % kLineStyles.size()];
+    const std::size_t number = plot.runs[r].style >= 0 ? static_cast<std::size_t>(plot.runs[r].style) : r;
+    detail::LineStyle style = kLineStyles[number % kLineStyles.size()];
     if (!plot.runs[r].spread.empty()) style.width = kMeanWidth;
     return style;
 }
@@ -197,7 +198,7 @@ void draw_scale_bar(std::string& svg, double row_scale, const std::string& unit)
 
 void draw_mark(std::string& svg, const PlotMark& mark, const Axis& x_axis, double bottom) {
     const double x = x_axis(mark.x);
-    draw_line(svg, x, kPlotTop, x, bottom, "stroke=\"#333\" stroke-dasharray=\"5 4\"");
+    draw_line(svg, x, kPlotTop, x, bottom, stroke(detail::kMarkLine).c_str());
     draw_text(svg, x + 5.0, kPlotTop + 14.0, "start", "class=\"small\"", mark.label);
 }
 
@@ -212,7 +213,7 @@ std::string make_svg(const StackedPlot& plot) {
     const Axis x_axis = make_x_axis(plot);
     const double row_scale = find_row_scale(plot);
 
-    std::string svg = detail::open_svg(width, height);
+    std::string svg = detail::open_svg(width, height, fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label));
     svg += fmt::format("<clipPath id=\"frame\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
                        kPlotLeft, kPlotTop, kPlotWidth, bottom - kPlotTop);
 
@@ -238,7 +239,8 @@ std::string make_svg(const StackedPlot& plot) {
         for (std::size_t r = 0; r < plot.runs.size(); ++r) {
             if (!plot.runs[r].spread.empty()) {
                 const std::string band = make_band_path(plot.runs[r].x, plot.runs[r].y[row], plot.runs[r].spread[row], x_axis, y_axis);
-                svg += fmt::format("<path class=\"band\" d=\"{}\" fill=\"{}\" fill-opacity=\"0.3\"/>\n", band, style_of(plot, r).color);
+                svg += fmt::format("<path class=\"band\" d=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", band, style_of(plot, r).color,
+                                   detail::kBandOpacity);
             }
             const std::string path = make_path(plot.runs[r].x, plot.runs[r].y[row], x_axis, y_axis);
             svg += fmt::format("<path d=\"{}\" {}/>\n", path, stroke(style_of(plot, r)));

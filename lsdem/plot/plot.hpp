@@ -13,6 +13,7 @@ struct PlotCurves {
     std::vector<std::vector<double>> y = {};  ///< one curve per row of the plot, each as long as `x`
     /// Half width of a band about each curve, shaded; none where it is not finite. Empty: no bands.
     std::vector<std::vector<double>> spread = {};
+    int style = -1;  ///< number of its look, as PlotSeries::style of a plot of runs; -1: its place among the runs
 };
 
 /// A place on the abscissa: a dashed line through all rows, with words at its upper end.

@@ -15,9 +15,6 @@ namespace {
 /// Room a tick's text takes along its axis [px]; closer ones would touch.
 constexpr double kTickWidth = 32.0, kTickHeight = 22.0;
 
-/// Of what is shaded between two curves [-].
-constexpr double kFilledOpacity = 0.25;
-
 /// An axis with even steps of the value or of its decimal logarithm, which stands in `linear` then.
 struct Axis {
     PlotAxis linear;
@@ -141,7 +138,7 @@ void draw_filled(std::string& svg, const PlotSeries& series, const LineStyle& st
     append_path(path, thin_path(upper));
     append_path(path, lower);
     if (path.empty()) return;
-    svg += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"none\"/>\n", path, style.color, kFilledOpacity);
+    svg += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"none\"/>\n", path, style.color, kBandOpacity);
 }
 
 void draw_series(std::string& svg, const PlotSeries& series, const LineStyle& style, const Axis& x_axis, const Axis& y_axis) {
@@ -229,7 +226,8 @@ std::vector<LineStyle> find_styles(const LinePlot& plot, FindStyle find_style) {
     std::vector<LineStyle> styles;
     std::size_t next = 0;
     for (const PlotSeries& series : plot.series) {
-        styles.push_back(find_style(series.style >= 0 ? static_cast<std::size_t>(series.style) : next++));
+        styles.push_back(series.style == kMarkStyle ? kMarkLine
+                                                    : find_style(series.style >= 0 ? static_cast<std::size_t>(series.style) : next++));
     }
     return styles;
 }
@@ -259,7 +257,7 @@ void draw_panel(std::string& svg, const LinePlot& plot, const PanelPlace& place,
 void draw_sample(std::string& svg, double x, double y, const PlotSeries& series, const LineStyle& style) {
     if (!series.y_low.empty()) {
         svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"26\" height=\"10\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"none\"/>\n",
-                           x - 13.0, y - 5.0, style.color, kFilledOpacity);
+                           x - 13.0, y - 5.0, style.color, kBandOpacity);
         return;
     }
     if (series.line) draw_line(svg, x - 13.0, y, x + 13.0, y, stroke(style).c_str());

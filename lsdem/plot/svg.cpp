@@ -99,13 +99,14 @@ std::vector<std::string> wrap(const std::string& text, double font_size, double 
     return lines;
 }
 
-std::string open_svg(double width, double height) {
+std::string open_svg(double width, double height, const std::string& name) {
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{4}\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
+        "{0:.0f} {1:.0f}\" "
         "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n"
         "<style>.small{{font-size:{2}px}} .title{{font-size:{3}px;font-weight:bold}}</style>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        width, height, kSmallFont, kTitleFont);
+        width, height, kSmallFont, kTitleFont, escape(name));
 }
 
 void draw_text(std::string& svg, double x, double y, const char* anchor, const char* style, const std::string& text) {

@@ -26,13 +26,20 @@ struct LineStyle {
     const char* dash;
 };
 
-/// Colours of Okabe and Ito's palette, chosen for all kinds of colour vision; the dashes distinguish the lines in grey.
+/// Looks of runs, the prototype or first one broad, so that the others show on top of it: colours of Okabe and Ito's palette, chosen for
+/// all kinds of colour vision; the dashes distinguish the lines in grey.
 inline constexpr std::array<LineStyle, 6> kLineStyles{{{"#56B4E9", 3.4, ""},
                                                        {"#D55E00", 1.6, "8 7"},
                                                        {"#000000", 1.3, "1.5 4"},
                                                        {"#009E73", 1.3, "9 3 1.5 3"},
                                                        {"#CC79A7", 1.3, "4 4"},
                                                        {"#0072B2", 1.3, "12 5"}}};
+
+/// Look of a place that is marked on an axis.
+inline constexpr LineStyle kMarkLine{"#333", 1.0, "5 4"};
+
+/// Opacity of a band about a curve, or of what is shaded between two, in the curve's colour [-].
+inline constexpr double kBandOpacity = 0.3;
 
 /// Text with the characters of `reserved` replaced, which are the first of &<>"'.
 std::string escape_markup(const std::string& text, std::string_view reserved);
@@ -56,8 +63,9 @@ std::string shorten(const std::string& text, double font_size, double room);
 /// `text` in lines no wider than `room` [px], parted at spaces; a single word may be wider.
 std::vector<std::string> wrap(const std::string& text, double font_size, double room);
 
-/// Opens a document of `width` x `height` [px] on white ground, with the classes `title` and `small` for text.
-std::string open_svg(double width, double height);
+/// Beginning of a document of `width` x `height` [px] on white ground, with the classes `title` and `small` for text; `name` says what it
+/// shows to those who do not see it.
+std::string open_svg(double width, double height, const std::string& name);
 
 /// Text at (x, y) [px]; `anchor`: start, middle or end; `style`: further attributes.
 void draw_text(std::string& svg, double x, double y, const char* anchor, const char* style, const std::string& text);

@@ -42,7 +42,7 @@ std::string make_tower_scripts();
 ReportSection make_overview_section(const ReportContent& content);
 /// Velocities of the spine, of a pair with the band of its twins, and how far runs are from the first.
 std::vector<ReportFigure> make_spine_figures(const ReportContent& content);
-/// Profiles, speeds, energies: what every run has.
+/// Profiles and energies of all runs, and speeds where they were found.
 std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs);
 
 /// Factors of the models to their prototype, and the groups they distort, by colour and word.

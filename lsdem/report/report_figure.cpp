@@ -57,6 +57,17 @@ std::string name_apart(std::string svg, const std::string& name) {
     return svg;
 }
 
+/// Rows of a twin that stand in the picture's description; who listens to more reads the table.
+constexpr std::size_t kMostTold = 4;
+
+std::string tell_row(const HtmlTable& twin, std::size_t row) {
+    std::string text = twin.rows[row].front().text;
+    for (std::size_t cell = 1; cell < twin.rows[row].size(); ++cell) {
+        text += fmt::format("{} {} {}", cell == 1 ? ":" : ",", twin.heads.at(cell), twin.rows[row][cell].text);
+    }
+    return text;
+}
+
 std::string name_row(const StackedPlot& plot, std::size_t row) { return row < plot.row_labels.size() ? plot.row_labels[row] : ""; }
 
 }  // namespace
@@ -102,6 +113,14 @@ ReportFigure make_figure(const std::string& name, const StackedPlot& plot) {
     return figure;
 }
 
+std::string describe(const ReportFigure& figure) {
+    std::string text = figure.twin.caption;
+    const std::size_t rows = figure.twin.rows.size(), told = std::min(rows, kMostTold);
+    for (std::size_t row = 0; row < told; ++row) text += (row == 0 ? ". " : "; ") + tell_row(figure.twin, row);
+    if (rows > told) text += fmt::format("; {} more rows under In numbers", rows - told);
+    return text + ".";
+}
+
 std::string to_html(const ReportFigure& figure) {
     const std::string numbers = figure.twin.rows.empty() ? make_statement(Tone::plain, figure.twin.caption) : to_html(figure.twin);
     const std::string time = figure.seconds_per_x > 0.0 ? fmt::format(" data-seconds-per-x=\"{}\"", figure.seconds_per_x) : "";
@@ -109,7 +128,7 @@ std::string to_html(const ReportFigure& figure) {
         "<figure id=\"figure-{}\" data-figure=\"{}\"{}>\n<div class=\"plot\" role=\"img\" "
         "aria-label=\"{}\">{}</div>\n<figcaption>{}</figcaption>\n"
         "<details><summary>In numbers</summary>\n{}</details>\n</figure>\n",
-        figure.name, figure.name, time, escape_html(figure.twin.caption), name_apart(figure.svg, figure.name), escape_html(figure.title),
+        figure.name, figure.name, time, escape_html(describe(figure)), name_apart(figure.svg, figure.name), escape_html(figure.title),
         numbers);
 }
 

@@ -26,7 +26,10 @@ ReportFigure make_figure(const std::string& name, const LinePlot& plot);
 /// when that is, the last one, and the widest half of the band.
 ReportFigure make_figure(const std::string& name, const StackedPlot& plot);
 
-/// The figure with its twin folded below.
+/// Text in place of the picture: what is drawn over what, and the first rows of the twin.
+std::string describe(const ReportFigure& figure);
+
+/// The figure, described for who does not see it, with its twin folded below.
 std::string to_html(const ReportFigure& figure);
 
 }  // namespace musim::lsdem

@@ -43,29 +43,41 @@ ReportFigure make_level_figure(const std::string& name, const std::string& title
                                const std::vector<ReportedRun>& runs,
                                const std::function<double(const LevelDamage&, const ReportedRun&)>& value) {
     LinePlot plot = make_level_plot(title, describe_runs(runs), x_label);
-    for (const ReportedRun& run : runs) {
-        if (!run.response) continue;
-        plot.series.push_back(
-            make_level_series(run.label, run.response->damage.levels, [&](const LevelDamage& level) { return value(level, run); }));
+    plot.of_runs = true;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        if (!runs[r].response) continue;
+        plot.series.push_back(make_level_series(runs[r].label, runs[r].response->damage.levels,
+                                                [&](const LevelDamage& level) { return value(level, runs[r]); }));
+        plot.series.back().style = static_cast<int>(r);
     }
     return make_figure(name, plot);
 }
 
-ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
-    LinePlot plot;
-    for (const ReportedRun& run : runs) {
-        if (!run.response) continue;
-        LinePlot own = make_residual_plot(*run.response, describe_runs(runs), run.run.similitude.length());
-        for (PlotSeries& series : own.series) {
-            if (runs.size() > 1) series.label = run.label + ", " + series.label;
-        }
-        if (plot.title.empty()) {
-            plot = std::move(own);
-        } else {
-            std::move(own.series.begin(), own.series.end(), std::back_inserter(plot.series));
-        }
+/// One figure of a run alone, its three directions beside each other; of several runs one for each direction in which any was displaced.
+std::vector<ReportFigure> make_residual_figures(const std::vector<ReportedRun>& runs) {
+    const std::string name = "residual_displacement";
+    if (runs.size() == 1) {
+        return {make_figure(name, make_residual_plot(*runs.front().response, describe_runs(runs), runs.front().run.similitude.length()))};
     }
-    return make_figure("residual_displacement", plot);
+    std::vector<ReportFigure> figures;
+    for (const int axis : {0, 1, 2}) {
+        LinePlot plot = make_level_plot(fmt::format("Residual displacement of the spine along {}, relative to the base", axis_name(axis)),
+                                        describe_runs(runs), "displacement [mm]");
+        plot.of_runs = true;
+        bool is_displaced = false;
+        for (std::size_t r = 0; r < runs.size(); ++r) {
+            if (!runs[r].response) continue;
+            const double length = runs[r].run.similitude.length();
+            plot.series.push_back(make_level_series(runs[r].label, runs[r].response->spine, [&](const SpineLevel& level) {
+                return 1e3 * level.residual_displacement[axis] / length;
+            }));
+            plot.series.back().style = static_cast<int>(r);
+            const std::vector<double>& x = plot.series.back().x;
+            is_displaced = is_displaced || std::any_of(x.begin(), x.end(), [](double value) { return value != 0.0; });
+        }
+        if (is_displaced || axis == 0) figures.push_back(make_figure(fmt::format("{}_{}", name, axis_name(axis)), plot));
+    }
+    return figures;
 }
 
 /// Tilts below this are rounding: blocks stand upright [rad].
@@ -144,21 +156,28 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
     const std::vector<std::size_t> rows = choose_rows(first.run.spine.size());
     const std::vector<std::string> labels = label_spine(first.run);
     for (const std::size_t row : rows) plot.row_labels.push_back(labels[row]);
-    for (const ReportedRun& run : runs) {
-        if (run.run.spine.size() == first.run.spine.size()) plot.runs.push_back(make_spine_curves(run.label, run.run, units, rows));
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        if (runs[r].run.spine.size() != first.run.spine.size()) continue;
+        plot.runs.push_back(make_spine_curves(runs[r].label, runs[r].run, units, rows));
+        plot.runs.back().style = static_cast<int>(r);
     }
     add_twin_band(plot, read_twin_band(pair), units);
     return over_time(make_figure("spine_velocity", plot), 1.0 / units.time);
 }
 
-std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name) {
+std::optional<ReportFigure> make_departure_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair,
+                                                  const std::string& name) {
     const nlohmann::json kept = find_object(pair, "departure");
     Departure departure{.time = find_numbers(kept, "time_s"),
                         .twins = static_cast<std::size_t>(std::max(0.0, find_number(kept, "twins", 0.0))),
                         .twins_low = find_numbers(kept, "twins_low"),
                         .twins_high = find_numbers(kept, "twins_high")};
+    int beyond = static_cast<int>(runs.size());
     for (const nlohmann::json& model : find_list(kept, "models")) {
-        departure.models.push_back({find_text(model, "label"), find_numbers(model, "largest_difference")});
+        const std::string label = find_text(model, "label");
+        const auto run = std::find_if(runs.begin(), runs.end(), [&](const ReportedRun& each) { return each.label == label; });
+        const int style = run != runs.end() ? static_cast<int>(run - runs.begin()) : beyond++;
+        departure.models.push_back({label, find_numbers(model, "largest_difference"), style});
     }
     if (departure.time.empty()) return std::nullopt;
     if (const double horizon = find_number(kept, "horizon_s"); std::isfinite(horizon)) departure.horizon = horizon;
@@ -180,11 +199,12 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
                   .x_label = fmt::format("t of {} [s]", first.label),
                   .y_label = "difference",
                   .y_logarithmic = true,
+                  .of_runs = true,
                   .y_most_decades = 16.0};
     for (std::size_t r = 1; r < runs.size(); ++r) {
         const ReportedRun& model = runs[r];
         if (!(largest > 0.0) || !samples_alike(first, model)) continue;
-        PlotSeries series{.label = model.label};
+        PlotSeries series{.label = model.label, .style = static_cast<int>(r)};
         const std::size_t samples = std::min(first.run.history.samples(), model.run.history.samples());
         for (std::size_t k = 0; k < samples; ++k) {
             double sum = 0.0;
@@ -208,19 +228,21 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
 }
 
 std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
-    if (!run.response || run.response->speeds.empty()) return std::nullopt;
-    return make_figure(name_figure("lag", run.label), make_lag_plot(*run.response, run.label));
+    if (!run.response) return std::nullopt;
+    Response found = *run.response;
+    std::erase_if(found.speeds, [](const SpeedEstimate& estimate) { return !estimate.speed; });
+    if (found.speeds.empty()) return std::nullopt;
+    return make_figure(name_figure("lag", run.label), make_lag_plot(found, run.label));
 }
 
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs) {
     if (std::none_of(runs.begin(), runs.end(), [](const ReportedRun& run) { return run.response.has_value(); })) return {};
-    std::vector<ReportFigure> figures{
-        make_residual_figure(runs),
-        make_level_figure(
-            "slip", "Slip below each level at the end, mean", "slip [mm]", runs,
-            [](const LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.run.similitude.length(); }),
-        make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
-                          [](const LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; })};
+    std::vector<ReportFigure> figures = make_residual_figures(runs);
+    figures.push_back(make_level_figure(
+        "slip", "Slip below each level at the end, mean", "slip [mm]", runs,
+        [](const LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.run.similitude.length(); }));
+    figures.push_back(make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
+                                        [](const LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }));
     if (std::optional<ReportFigure> tilts = make_initial_tilt_figure(runs)) figures.push_back(std::move(*tilts));
     return figures;
 }

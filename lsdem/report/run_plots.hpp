@@ -13,19 +13,21 @@ namespace musim::lsdem {
 /// `pair`: of pair.json, whose twins are a band about the first run; any other object draws none.
 std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair = {});
 
-/// How models and twins of a pair depart from their prototype (make_departure_plot). Nothing for a pair.json of versions before it
-/// was kept.
-std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name);
+/// Departure of the models and twins of a pair from their prototype (make_departure_plot), models in the looks of the runs of their names.
+/// Nothing for a pair.json without it.
+std::optional<ReportFigure> make_departure_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair,
+                                                  const std::string& name);
 
 /// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Models that
 /// never differ are left out, and those that sample at other dimensionless times; nothing when none is left.
 std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs);
 
-/// Arrival over height of one run, with the speeds that fit it. Nothing without estimates.
+/// Arrival over height of one run, of the methods that found a speed, with the speeds that fit it. Nothing where none did.
 std::optional<ReportFigure> make_lag_figure(const ReportedRun& run);
 
-/// Profiles over the levels, runs beside each other: residual displacement of the spine over λ_l, mean slip below a level over λ_l, mean
-/// rotation, tilts at the start [Harmon23, Figs. 6 and 10].
+/// Profiles over the levels, runs beside each other in the looks that they have in the other plots: residual displacement of the spine over
+/// λ_l (of several runs a figure per direction), mean slip below a level over λ_l, mean rotation, tilts at the start [Harmon23, Figs. 6 and
+/// 10].
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs);
 
 /// How the tilts of blocks are distributed over the levels of a structure at its start [Harmon23, Fig. 6]: of each level the median, what

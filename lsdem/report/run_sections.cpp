@@ -12,7 +12,8 @@
 namespace musim::lsdem {
 namespace {
 
-ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
+/// Speeds of the runs in which any method found one; nothing where none did.
+std::optional<ReportSection> make_speed_section(const std::vector<ReportedRun>& runs) {
     ReportSection section{.id = "speed", .title = "Structural speed"};
     HtmlTable table{.caption = "Speed of travel up the structure; S^N = speed over √(μ g l)",
                     .heads = {"run", "method", "speed [m/s]", "± [m/s]", "S^N", "levels"}};
@@ -20,10 +21,7 @@ ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
         if (!run.response) continue;
         const double sliding = run.response->scales.sliding_speed();
         for (const SpeedEstimate& estimate : run.response->speeds) {
-            if (!estimate.speed) {
-                table.rows.push_back({{.text = run.label}, {.text = estimate.method}, {.text = "none: " + estimate.why}});
-                continue;
-            }
+            if (!estimate.speed) continue;
             table.rows.push_back({{.text = run.label},
                                   {.text = estimate.method},
                                   number_cell(*estimate.speed),
@@ -32,8 +30,14 @@ ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
                                   number_cell(static_cast<double>(estimate.height.size()))});
         }
     }
-    if (!table.rows.empty()) section.html = to_html(table);
-    if (std::optional<ReportFigure> figure = make_lag_figure(runs.front())) section.figures.push_back(std::move(*figure));
+    if (table.rows.empty()) return std::nullopt;
+    section.html = to_html(table);
+    for (const ReportedRun& run : runs) {
+        std::optional<ReportFigure> figure = make_lag_figure(run);
+        if (!figure) continue;
+        section.figures.push_back(std::move(*figure));
+        break;
+    }
     return section;
 }
 
@@ -90,7 +94,7 @@ ReportSection make_overview_section(const ReportContent& content) {
 
 std::vector<ReportFigure> make_spine_figures(const ReportContent& content) {
     std::vector<ReportFigure> figures;
-    std::optional<ReportFigure> departure = make_departure_figure(content.summary, content.title);
+    std::optional<ReportFigure> departure = make_departure_figure(content.runs, content.summary, content.title);
     if (!departure) departure = make_difference_figure(content.runs);
     for (std::optional<ReportFigure>& figure : std::array{make_spine_figure(content.runs, content.summary), std::move(departure)}) {
         if (figure) figures.push_back(std::move(*figure));
@@ -100,7 +104,10 @@ std::vector<ReportFigure> make_spine_figures(const ReportContent& content) {
 
 std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs) {
     ReportSection profiles{.id = "profiles", .title = "What it left, level by level", .figures = make_profile_figures(runs)};
-    return {std::move(profiles), make_speed_section(runs), make_energy_section(runs)};
+    std::vector<ReportSection> sections{std::move(profiles)};
+    if (std::optional<ReportSection> speed = make_speed_section(runs)) sections.push_back(std::move(*speed));
+    sections.push_back(make_energy_section(runs));
+    return sections;
 }
 
 }  // namespace musim::lsdem

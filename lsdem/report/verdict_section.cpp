@@ -115,9 +115,6 @@ Statement make_runs_headline(const std::vector<ReportedRun>& runs) {
     return {tone, fmt::format("{} of {} structures stand{}.", stand, runs.size(), others)};
 }
 
-/// Energy that appears from nowhere beyond this share of what is in play is doubtful; runs call themselves so from a tenth on.
-constexpr double kGoodClosure = 0.01;
-
 /// So few statements stand below the headline; more of them, if neither warnings nor bad, are folded.
 constexpr std::size_t kMostUnfolded = 2;
 
@@ -136,11 +133,10 @@ void add_run(std::vector<Statement>& statements, const ReportedRun& run) {
         text += fmt::format("; {} of {} blocks fallen, damage index {:.3g}", damage.fallen, damage.blocks, damage.index);
         if (run.response->failure) text += "; " + describe(*run.response->failure);
     }
+    // where it is open, the run says so in its warnings
     const double closure = find_number(run.summary, "energy_closure");
-    const std::string balance = fmt::format("energy balance closes to {:.2g} of the energy in play", closure);
-    if (closure < kGoodClosure) text += "; " + balance;
+    if (std::isfinite(closure)) text += fmt::format("; energy balance closes to {:.2g} of the energy in play", closure);
     statements.push_back({run.run.is_status_known ? find_tone(to_string(run.run.status), Tone::bad) : Tone::note, text});
-    if (closure >= kGoodClosure) statements.push_back({Tone::warning, run.label + ": " + balance});
     for (const std::string& warning : run.run.warnings) statements.push_back({Tone::warning, run.label + ": " + warning});
 }
 

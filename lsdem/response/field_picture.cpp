@@ -226,7 +226,7 @@ std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& v
     std::string title = component;
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
     if (alone) title += fmt::format(", at {:.4g} s", views.front().image.time);
-    std::string svg = detail::open_svg(width, grid.bottom() + kFieldBottom);
+    std::string svg = detail::open_svg(width, grid.bottom() + kFieldBottom, fmt::format("{}, {}", title, picture.name));
     detail::draw_text(svg, 16.0, 26.0, "start", "class=\"title\"", title);
     detail::draw_text(svg, 16.0, 45.0, "start", "class=\"small\"", detail::shorten(picture.name, detail::kSmallFont, width - 32.0));
     detail::draw_text(svg, 16.0, 62.0, "start", "class=\"small\"",

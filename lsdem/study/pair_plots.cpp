@@ -21,7 +21,8 @@ Vector3 find_base_peaks(const History& history) {
     return peaks;
 }
 
-constexpr int kStyleOfTwins = 5, kStyleOfHorizon = 11;  ///< black, and black and dashed
+/// Styles of a plot of runs: the prototype and its twins, and the first model.
+constexpr int kPrototypeStyle = 0, kFirstModelStyle = 1;
 
 PlotSeries make_series(const std::string& label, const std::vector<double>& running, const std::vector<double>& time) {
     const auto count = static_cast<std::ptrdiff_t>(std::min(running.size(), time.size()));
@@ -125,8 +126,8 @@ StackedPlot make_spine_plot(const PairStudy& study, const SpeedScales& scales, c
 
 Departure find_departure(const PairStudy& study) {
     Departure departure{.time = study.prototype.history.time, .twins = study.twin_traces.size()};
-    for (const PairedRun& model : study.models) departure.models.push_back({model.label, model.trace.running});
-    if (study.half_step) departure.models.push_back({"half the step", study.half_step->trace.running});
+    for (const PairedRun& model : study.models) departure.models.push_back({.label = model.label, .running = model.trace.running});
+    if (study.half_step) departure.models.push_back({.label = "half the step", .running = study.half_step->trace.running});
     if (study.twin_traces.empty()) return departure;
     departure.horizon = find_horizon(study);
     for (std::size_t k = 0; k < departure.time.size(); ++k) {
@@ -148,20 +149,26 @@ LinePlot make_departure_plot(const Departure& departure, const std::string& name
                   .x_label = "time of the prototype [s]",
                   .y_label = "largest difference so far / peak velocity"};
     plot.y_logarithmic = true;
+    plot.of_runs = true;
     if (departure.twins > 0) {
         PlotSeries twins = make_series(fmt::format("{} twins", departure.twins), departure.twins_high, departure.time);
         twins.y_low = departure.twins_low;
         twins.y_low.resize(twins.y.size());
-        twins.style = kStyleOfTwins;
+        twins.style = kPrototypeStyle;
         plot.series.push_back(std::move(twins));
     }
-    for (const Departure::Curve& curve : departure.models) plot.series.push_back(make_series(curve.label, curve.running, departure.time));
+    int style = kFirstModelStyle;
+    for (const Departure::Curve& curve : departure.models) {
+        plot.series.push_back(make_series(curve.label, curve.running, departure.time));
+        plot.series.back().style = curve.style >= 0 ? curve.style : style;
+        ++style;
+    }
     if (departure.horizon) {
         PlotSeries horizon;
         horizon.label = name_horizon(*departure.horizon);
         horizon.x = {*departure.horizon, *departure.horizon};
         horizon.y = {find_least(plot), 1.0};
-        horizon.style = kStyleOfHorizon;
+        horizon.style = kMarkStyle;
         plot.series.push_back(std::move(horizon));
     }
     return plot;

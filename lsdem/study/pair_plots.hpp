@@ -50,6 +50,7 @@ struct Departure {
     struct Curve {
         std::string label;
         std::vector<double> running;  ///< R [-]; shorter than `time` for a run that ended early
+        int style = -1;               ///< look of the run, see PlotCurves::style; -1: its place after the prototype
     };
     std::vector<double> time;                             ///< of the prototype [s]
     std::vector<Curve> models = {};                       ///< and the run at half the step, last
@@ -59,7 +60,8 @@ struct Departure {
 };
 Departure find_departure(const PairStudy& study);
 
-/// The departures on a logarithmic axis, twins as a band, the horizon marked. `name` says of what.
+/// The departures on a logarithmic axis, runs in the looks that they have in make_spine_plot(), twins as a band in the prototype's colour,
+/// the horizon marked. `name` says of what.
 LinePlot make_departure_plot(const Departure& departure, const std::string& name);
 
 }  // namespace musim::lsdem

@@ -61,7 +61,7 @@ class Preview {
     }
 
     std::string draw() {
-        svg_ = detail::open_svg(kWidth, moves() ? kHeight : kPanelTop + kMargin);
+        svg_ = detail::open_svg(kWidth, moves() ? kHeight : kPanelTop + kMargin, summary_.name + " as drawn, before it is run");
         const std::string title = detail::shorten(summary_.name, detail::kTitleFont, kWidth - 2.0 * kMargin);
         detail::draw_text(svg_, kMargin, 32.0, "start", "class=\"title\"", title);
         detail::draw_text(svg_, kMargin, 50.0, "start", kGrey, "as drawn, before it is run");

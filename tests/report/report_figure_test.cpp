@@ -25,11 +25,14 @@ TEST_CASE("a figure says in numbers what it draws, and gives all of it as CSV") 
     std::vector<std::string> cells;
     for (const HtmlCell& cell : figure.twin.rows[0]) cells.push_back(cell.text);
     CHECK(cells == std::vector<std::string>{"a \"b\", c", "3", "0", "3", "-4", "1", "2.5", "3"});
+    CHECK(describe(figure) == "title: y over x. a \"b\", c: points 3, first x 0, last x 3, smallest -4, at x 1, largest 2.5, at x 3.");
 
     // well-formed, and the parts of its picture have names of their own
     const std::string html = to_html(figure);
     pugi::xml_document document;
     REQUIRE(document.load_string(html.c_str()));
+    CHECK(document.select_node("//div[@role='img']").node().attribute("aria-label").value() == describe(figure));
+    CHECK(document.select_node("//svg[@role='img']").node().attribute("aria-label").value() == std::string("title: y over x"));
     for (const pugi::xpath_node& node : document.select_nodes("//svg//*[@id]")) {
         CHECK(std::string(node.node().attribute("id").value()).starts_with("name-"));
     }
@@ -81,6 +84,55 @@ TEST_CASE("models are drawn scaled back to their prototype, so that a similar on
     CHECK_FALSE(make_difference_figure({prototype, other_times}));
 }
 
+/// Look of the sample beside a name in a picture's legend.
+std::string look_of(const std::string& svg, const std::string& name) {
+    const std::size_t text = svg.find(">" + name + "<");
+    if (text == std::string::npos) return "no " + name;
+    const std::size_t look = svg.find("stroke=", svg.rfind("<line", text));
+    return svg.substr(look, svg.find("/>", look) - look);
+}
+
+TEST_CASE("a run looks the same in all plots, and twins have the colour of their prototype") {
+    ReportedRun prototype = make_stored_run(5);
+    prototype.label = "prototype";
+    std::vector<ReportedRun> runs{prototype, prototype, prototype};
+    for (ReportedRun& run : runs) run.response->damage.levels.resize(2);
+    runs[1].label = "1:25";
+    runs[2].label = "1:50";
+    for (std::size_t r = 1; r < 3; ++r) runs[r].run.history.spine_velocity[4].x() += 0.1 * static_cast<double>(r);
+    // the pair has them in another order, and a run that is not among them
+    const nlohmann::json pair = nlohmann::json::parse(R"({
+        "twins_band": {"axis": 0, "rows": [0, 1, 2], "half_width_m_s": [[0, 1, 1, 1, 1], [0, 1, 1, 1, 1], [0, 1, 1, 1, 1]]},
+        "departure": {"time_s": [0, 0.1], "twins": 8, "twins_low": [0, 1e-9], "twins_high": [0, 1e-8], "horizon_s": 0.1,
+                      "models": [{"label": "1:50", "largest_difference": [0, 3e-9]}, {"label": "1:25", "largest_difference": [0, 1e-9]},
+                                 {"label": "half the step", "largest_difference": [0, 1e-10]}]}})");
+    const std::string spine = make_spine_figure(runs, pair)->svg, departure = make_departure_figure(runs, pair, "made")->svg,
+                      difference = make_difference_figure(runs)->svg;
+    const std::vector<ReportFigure> profiles = make_profile_figures(runs);
+    for (const char* model : {"1:25", "1:50"}) {
+        CAPTURE(model);
+        const std::string look = look_of(spine, model);
+        CHECK(look.starts_with("stroke=\"#"));
+        CHECK(look_of(departure, model) == look);
+        CHECK(look_of(difference, model) == look);
+        for (const ReportFigure& profile : profiles) CHECK_MESSAGE(look_of(profile.svg, model) == look, profile.name);
+    }
+    CHECK(look_of(spine, "1:25") != look_of(spine, "1:50"));
+    CHECK(look_of(departure, "half the step") != look_of(departure, "1:25"));
+    CHECK(look_of(departure, "half the step") != look_of(departure, "1:50"));
+
+    // a band, filled alike
+    const auto fill_of = [](const std::string& svg, const std::string& mark) {
+        const std::size_t at = svg.find("fill=", svg.find(mark));
+        return svg.substr(at, svg.find("/>", at) - at);
+    };
+    const std::string band = fill_of(spine, "class=\"band\"");
+    const std::size_t twins = departure.find("fill-opacity");
+    REQUIRE(twins != std::string::npos);
+    CHECK(departure.find(band) != std::string::npos);
+    CHECK(look_of(spine, "prototype, band of its twins").find(band.substr(6, 7)) != std::string::npos);
+}
+
 TEST_CASE("twins of a pair are a band about the prototype, and in the picture of departures") {
     const ReportedRun prototype = make_stored_run(3);
     nlohmann::json pair = nlohmann::json::parse(R"({
@@ -94,7 +146,7 @@ TEST_CASE("twins of a pair are a band about the prototype, and in the picture of
     pair["twins_band"]["half_width_m_s"][1] = std::vector<double>{0.0};
     CHECK(make_spine_figure({prototype, prototype}, pair)->twin.rows[0].size() == 5);
 
-    const std::optional<ReportFigure> departure = make_departure_figure(pair, "a wall");
+    const std::optional<ReportFigure> departure = make_departure_figure({}, pair, "a wall");
     REQUIRE(departure);
     REQUIRE(departure->twin.rows.size() == 3);
     CHECK(departure->twin.rows[0][0].text == "8 twins");
@@ -103,5 +155,5 @@ TEST_CASE("twins of a pair are a band about the prototype, and in the picture of
     CHECK(departure->twin.rows[2][0].text == "horizon, 0.2 s");
     CHECK(departure->csv.find("lower edge\",0.2,1e-06") != std::string::npos);
     pair.erase("departure");
-    CHECK_FALSE(make_departure_figure(pair, "a wall").has_value());
+    CHECK_FALSE(make_departure_figure({}, pair, "a wall").has_value());
 }

@@ -15,6 +15,7 @@
 
 #include "lsdem/results/checked_json.hpp"
 #include "lsdem/results/checksum.hpp"
+#include "lsdem/results/run_warnings.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/specimen_batch.hpp"
@@ -24,6 +25,7 @@
 #include "lsdem/study/ensemble_members.hpp"
 #include "records/formats/read_record.hpp"
 #include "scaling/laws/law_similitude.hpp"
+#include "tests/report/made_stored_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -92,6 +94,39 @@ TEST_CASE("a run's report has its verdict and the numbers of its results, and le
     CHECK(holds(page, "id=\"figure-slip\""));
     // nothing comes from elsewhere
     for (const char* outside : {"src=\"http", "href=\"http", "@import", "<link"}) CHECK_FALSE(holds(page, outside));
+}
+
+TEST_CASE("an energy balance is a warning of the report where it is one of the run, and speeds stand where they were found") {
+    ReportContent content;
+    content.kind = ReportKind::run;
+    content.runs.push_back(make_stored_run(5));
+    ReportedRun& run = content.runs.front();
+    run.run.is_status_known = true;
+    const auto page = [&] { return make_page(content, make_sections(content), "test"); };
+    // a tenth is the documented limit, above which the run warns of itself
+    for (const double closure : {0.5 * kOpenBalance, 0.99 * kOpenBalance}) {
+        run.summary["energy_closure"] = closure;
+        CHECK(holds(page(), fmt::format("energy balance closes to {:.2g} of the energy in play", closure)));
+        CHECK_FALSE(holds(page(), "<strong>warning</strong>"));
+    }
+    run.run.warnings = {"the energy balance is open"};
+    CHECK(holds(page(), "<strong>warning</strong> made: the energy balance is open"));
+
+    run.response->speeds.resize(1);
+    run.response->speeds[0].method = "peak";
+    run.response->speeds[0].why = "it arrives everywhere at once";
+    CHECK_FALSE(holds(page(), "Structural speed"));
+    run.response->speeds.resize(2);
+    SpeedEstimate& arrival = run.response->speeds[1];
+    arrival.method = "first_arrival";
+    arrival.height = {0.0, 1.0, 2.0};
+    arrival.lag = {0.0, 0.1, 0.2};
+    arrival.speed = 10.0;
+    const std::string found = page();
+    CHECK(holds(found, "Structural speed"));
+    CHECK(holds(found, "<th scope=\"row\">made</th><td>first_arrival</td><td class=\"number\">10</td>"));
+    CHECK_FALSE(holds(found, "<td>peak</td>"));
+    CHECK_FALSE(holds(found, ">peak<"));
 }
 
 TEST_CASE("several runs are reported beside each other") {

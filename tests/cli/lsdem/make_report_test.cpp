@@ -31,7 +31,7 @@ TEST_CASE("report makes one page of a pair, and its plots as files with their da
     CHECK(page.find("the same as the prototype, bit for bit") != std::string::npos);
     CHECK(page.find("No group is distorted") != std::string::npos);
     CHECK(page.find("t √(μ g / l)") != std::string::npos);
-    for (const char* name : {"spine_velocity", "departure", "energy_prototype", "slip", "residual_displacement"}) {
+    for (const char* name : {"spine_velocity", "departure", "energy_prototype", "slip", "residual_displacement_x"}) {
         CHECK_MESSAGE(here.has(std::string("figures/") + name + ".svg"), name);
         CHECK_MESSAGE(here.read(std::string("figures/") + name + ".csv").find(',') != std::string::npos, name);
     }
