@@ -57,7 +57,7 @@ std::string as_element(std::string script) {
 
 constexpr const char* kControls = R"(<div class="tower" id="tower" role="group" aria-label="Blocks in three dimensions">
 <div class="tower-view"><canvas id="tower-canvas" tabindex="0" role="application" aria-label="Blocks in three dimensions; ? lists the keys"></canvas>
-<p id="tower-scale" class="overlay"></p><div id="tower-names" class="overlay"></div>
+<p id="tower-scale" class="overlay"></p><div id="tower-axes" class="overlay"></div><div id="tower-names" class="overlay"></div>
 <button type="button" id="tower-handle" aria-label="Drag to turn the blocks">turn</button>
 <p id="tower-message" class="overlay" role="status"></p></div>
 <div class="tower-controls">

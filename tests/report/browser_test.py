@@ -28,7 +28,7 @@ if not shutil.which("chromium") or not shutil.which("chromedriver"):
 
 sys.dont_write_bytecode = True
 from browser_view import (  # noqa: E402
-    LEAST_AREA, SIZES, check, check_keys, check_linked_plots, check_names, check_order,
+    LEAST_AREA, SIZES, check, check_axes, check_keys, check_linked_plots, check_names, check_order,
     check_sizes, check_width, check_without_webgl, set_size)
 
 SCENE = {
@@ -220,6 +220,7 @@ def check_views(browser, pictures, name):
     for camera in ("front", "side", "top", "corner"):
         browser.execute_script(f"document.querySelector('[data-camera={camera}]').click()")
         check(count_colours(browser) > 20, f"the view from {camera} is empty")
+        check_axes(browser, camera)
         browser.execute_script("document.getElementById('blocks').scrollIntoView()")
         browser.save_screenshot(str(pictures / f"{name}_{camera}.png"))
     for colour in browser.execute_script("return [...document.getElementById('tower-colour').options].map(o => o.value)"):

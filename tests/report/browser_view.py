@@ -101,6 +101,22 @@ def check_order(browser, where):
     check(bottom <= min(window, first), f"{where}: the verdict ends at {bottom}, the window at {window}, the first picture begins at {first}")
 
 
+# Directions of the axes, as the picture of them says it in words.
+AXES = {"front": "x to the right, y away from you, z up", "side": "x toward you, y to the right, z up",
+        "top": "x to the right, y up, z toward you", "corner": "x to the right, y away from you, z up"}
+
+
+def check_axes(browser, view):
+    """The arrows of the axes go where the camera has them: y across and z up from the side, and so on."""
+    told, arrows = browser.execute_script("""
+        const picture = document.querySelector("#tower-axes svg");
+        return [picture.getAttribute("aria-label"), ["x", "y", "z"].map(axis => picture.querySelector("path." + axis).getAttribute("d"))];""")
+    check(told == "Axes: " + AXES[view], f"from {view}: {told}")
+    ends = [[float(number) for number in arrow.split("M")[1].split("L")[1].split()] for arrow in arrows]
+    right, up = {"front": (0, 2), "side": (1, 2), "top": (0, 1), "corner": (0, 2)}[view]
+    check(ends[right][0] > 15 and ends[up][1] < -15, f"from {view}: axes end at {ends}")
+
+
 def check_keys(browser):
     """Keys step through the frames and turn the view, and are left to fields that one types into."""
     def press(*keys):

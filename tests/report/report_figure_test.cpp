@@ -96,7 +96,10 @@ TEST_CASE("a run looks the same in all plots, and twins have the colour of their
     ReportedRun prototype = make_stored_run(5);
     prototype.label = "prototype";
     std::vector<ReportedRun> runs{prototype, prototype, prototype};
-    for (ReportedRun& run : runs) run.response->damage.levels.resize(2);
+    for (ReportedRun& run : runs) {
+        run.response->damage.levels.resize(2);
+        for (const int level : {0, 1}) run.response->damage.levels[static_cast<std::size_t>(level)].level = level + 1;
+    }
     runs[1].label = "1:25";
     runs[2].label = "1:50";
     for (std::size_t r = 1; r < 3; ++r) runs[r].run.history.spine_velocity[4].x() += 0.1 * static_cast<double>(r);

@@ -32,6 +32,7 @@ function drawFlat(canvas, runs) {
   canvas.width = Math.max(1, Math.round(scale * box.width));
   canvas.height = Math.max(1, Math.round(scale * box.height));
   const back = new THREE.Vector3().fromArray(FLAT_BACK).normalize(), right = new THREE.Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right);
+  new Triad().show(right, up);
   const shifts = arrangeRuns(runs.map(findBounds), canvas.width / canvas.height);
   const blocks = [];
   runs.forEach(function (run, i) { for (let b = 0; b < run.blocks; ++b) blocks.push(findFlatFaces(run, b, shifts[i], back)); });
@@ -63,7 +64,7 @@ function showFlat(runs) {
   const canvas = document.createElement("canvas"), old = part("canvas");
   canvas.id = old.id;
   canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", "The blocks at the start");
+  canvas.setAttribute("aria-label", "The blocks at the start: " + runs.map(describeRun).join("; "));
   old.replaceWith(canvas);
   holder.classList.add("flat");
   drawFlat(canvas, runs);

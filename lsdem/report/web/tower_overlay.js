@@ -1,4 +1,4 @@
-// What stands around the blocks: a grid on the ground, its mesh width, and the names of the runs below them.
+// Surroundings of the blocks: a grid on the ground, its mesh width, the axes' directions, and the names of the runs below them.
 
 // 1, 2 or 5 times a power of ten, at most `size`.
 function findRoundStep(size) {
@@ -25,6 +25,41 @@ function makeGrid(extent) {
   return { lines: grid, step: step };
 }
 
+// The axes x, y and z as arrows in a corner of the view, for a picture whose right and upward directions are given.
+const TRIAD = { size: 76, arm: 24, head: 5, letter: 32 };
+
+class Triad {
+  constructor() {
+    this.picture = makeSvg("svg", { viewBox: [-TRIAD.size / 2, -TRIAD.size / 2, TRIAD.size, TRIAD.size].join(" "), role: "img" });
+    this.axes = ["x", "y", "z"].map(function (name) {
+      const arrow = makeSvg("path", { class: name, fill: "none" }), letter = makeSvg("text", { class: name, "text-anchor": "middle", "dominant-baseline": "central" });
+      letter.textContent = name;
+      this.picture.append(arrow, letter);
+      return { arrow: arrow, letter: letter };
+    }, this);
+    part("axes").replaceChildren(this.picture);
+  }
+
+  show(right, up) {
+    const texts = [], toward = right.clone().cross(up), near = 0.3;
+    this.axes.forEach(function (axis, i) {
+      const name = "xyz"[i], x = right.getComponent(i), y = -up.getComponent(i), length = Math.hypot(x, y), arm = TRIAD.arm;
+      const ux = length > 0 ? x / length : 0, uy = length > 0 ? y / length : 0, head = Math.min(TRIAD.head, arm * length);
+      const end = [arm * x, arm * y], back = [end[0] - head * ux, end[1] - head * uy];
+      axis.arrow.setAttribute("d", "M0 0L" + [end[0], end[1]].map(function (v) { return v.toFixed(2); }).join(" ") +
+        [-1, 1].map(function (side) { return "M" + (back[0] - side * 0.5 * head * uy).toFixed(2) + " " + (back[1] + side * 0.5 * head * ux).toFixed(2) + "L" + end[0].toFixed(2) + " " + end[1].toFixed(2); }).join(""));
+      // of an axis that is seen end on the letter stands beside its root
+      const share = length < near ? 0 : 1, away = TRIAD.letter - arm;
+      axis.letter.setAttribute("x", (share ? end[0] + away * ux : -9).toFixed(2));
+      axis.letter.setAttribute("y", (share ? end[1] + away * uy : 9).toFixed(2));
+      const words = [[toward.getComponent(i), "toward you", "away from you"], [-y, "up", "down"], [x, "to the right", "to the left"]];
+      const most = words.reduce(function (best, word) { return Math.abs(word[0]) > Math.abs(best[0]) + 1e-6 ? word : best; });
+      texts.push(name + " " + (most[0] > 0 ? most[1] : most[2]));
+    });
+    this.picture.setAttribute("aria-label", "Axes: " + texts.join(", "));
+  }
+}
+
 function cornersOf(bounds) {
   const corners = [];
   for (const x of [bounds.low[0], bounds.high[0]]) for (const y of [bounds.low[1], bounds.high[1]]) for (const z of [bounds.low[2], bounds.high[2]]) {
@@ -32,6 +67,9 @@ function cornersOf(bounds) {
   }
   return corners;
 }
+
+// A run in words, in place of its picture.
+function describeRun(run) { return run.label + ", " + run.blocks + (run.blocks === 1 ? " block" : " blocks"); }
 
 // Names of several runs, each below its blocks.
 class RunNames {

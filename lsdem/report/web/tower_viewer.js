@@ -15,6 +15,8 @@ class Viewer {
     this.firstView = runs.length > 1 ? "beside" : "corner";
     this.properties = new BlockProperties(this);
     this.names = new RunNames(runs);
+    this.triad = new Triad();
+    this.canvas.setAttribute("aria-label", "Blocks in three dimensions: " + runs.map(describeRun).join("; ") + ". ? lists the keys");
     this.fillScene();
     this.leavePageItsMoves();
     this.controls = new THREE.OrbitControls(this.camera, this.canvas);
@@ -319,5 +321,7 @@ class Viewer {
   draw() {
     this.renderer.render(this.scene, this.camera);
     this.names.place(this.camera, this.boxes, this.canvas.clientWidth, this.canvas.clientHeight);
+    const turn = this.camera.quaternion;
+    this.triad.show(new THREE.Vector3(1, 0, 0).applyQuaternion(turn), new THREE.Vector3(0, 1, 0).applyQuaternion(turn));
   }
 }
