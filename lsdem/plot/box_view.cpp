@@ -155,8 +155,12 @@ std::vector<std::size_t> sort_by_depth(const std::vector<DrawnBody>& bodies, std
     return order;
 }
 
+const Shades& shades_of(const DrawnBody& body) {
+    return body.is_marked ? kMarked : kShades[static_cast<std::size_t>(body.color) % kShades.size()];
+}
+
 const char* find_shade(const Face& face, const DrawnBody& body, const BoxView& view) {
-    const Shades& shades = body.is_marked ? kMarked : kShades[static_cast<std::size_t>(body.color) % kShades.size()];
+    const Shades& shades = shades_of(body);
     constexpr double kSlope = 0.7;  // of a face that counts as level
     if (face.normal.z() > kSlope) return shades.top;
     return face.normal.dot(view.right()) < 0.0 ? shades.left : shades.right;
@@ -177,6 +181,8 @@ ViewBounds find_bounds(const std::vector<DrawnBody>& bodies, const BoxView& view
     }
     return all;
 }
+
+const char* find_swatch(const DrawnBody& body) { return shades_of(body).left; }
 
 std::string write_point(const Vector3& world, const BoxView& view, const ViewPlace& place) {
     return fmt::format("{:.1f},{:.1f}", place.x + place.scale * world.dot(view.right()), place.y - place.scale * world.dot(view.up()));
@@ -199,8 +205,7 @@ void draw_bodies(std::string& svg, const std::vector<DrawnBody>& bodies, const B
             const Vector3& c = bodies[b].center;
             svg +=
                 fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n", place.x + place.scale * c.dot(view.right()),
-                            place.y - place.scale * c.dot(view.up()), place.scale * bodies[b].half.x(),
-                            bodies[b].is_marked ? kMarked.left : kShades[static_cast<std::size_t>(bodies[b].color) % kShades.size()].left);
+                            place.y - place.scale * c.dot(view.up()), place.scale * bodies[b].half.x(), find_swatch(bodies[b]));
         }
         for (const std::size_t f : faces_of[b]) {
             std::string points;

@@ -48,6 +48,9 @@ struct ViewPlace {
 /// A corner as "x,y" for the attribute `points`.
 std::string write_point(const Vector3& world, const BoxView& view, const ViewPlace& place);
 
+/// Colour of a body's side, for legends.
+const char* find_swatch(const DrawnBody& body);
+
 /// Draws the bodies, the nearer over the farther: of two, that one which lies beyond a plane of a face of the other that the eye sees.
 /// Faces that are hidden behind others everywhere are left out, as far as a grid of points about a pixel apart shows. Bodies that overlap
 /// may cover each other in parts wrongly.

@@ -18,7 +18,8 @@ namespace musim::lsdem {
 namespace {
 
 /// Layout [px]: the structure on the left, what there is to say of it on the right, the motion below.
-constexpr double kWidth = 920.0, kMargin = 28.0, kTop = 64.0, kPicture = 470.0, kPanelTop = 580.0, kPanel = 150.0, kHeight = 786.0;
+constexpr double kWidth = 920.0, kMargin = 28.0, kTop = 64.0, kPicture = 470.0, kPanelTop = 600.0, kPanel = 150.0, kHeight = 806.0;
+constexpr double kLegendTop = 550.0, kLegendLine = 18.0, kSwatch = 12.0, kLegendGap = 24.0;
 constexpr double kPictureWidth = 560.0, kTextLeft = 640.0, kPanelLeft = 92.0;
 
 /// Room around the structure for the ruler and the widths [px].
@@ -46,6 +47,17 @@ std::vector<DrawnBody> find_bodies(const SceneSummary& summary) {
     return bodies;
 }
 
+/// Names of the blocks' materials in the order of their colours, as find_bodies() counts them; empty: the scene's own.
+std::vector<std::string> find_material_names(const SceneSummary& summary) {
+    std::vector<std::string> names;
+    for (const BlockKind& kind : summary.kinds) {
+        if (std::find(names.begin(), names.end(), kind.material) == names.end()) names.push_back(kind.material);
+    }
+    return names;
+}
+
+constexpr const char* kGroundColor = "#f0f0ee";
+
 /// The ground around a structure, by its corners.
 std::array<Vector3, 4> find_ground(const SceneSummary& summary) {
     const Vector3 size = summary.high - summary.low;
@@ -70,6 +82,7 @@ class Preview {
         draw_ruler();
         if (summary_.specimen.model.ground.present) draw_widths();
         draw_properties();
+        draw_legend();
         draw_motion();
         return svg_ + "</svg>\n";
     }
@@ -101,7 +114,7 @@ class Preview {
     void draw_ground() {
         std::string points;
         for (const Vector3& corner : ground_) points += (points.empty() ? "" : " ") + write_point(corner, view_, place_);
-        svg_ += fmt::format("<polygon points=\"{}\" fill=\"#f0f0ee\" stroke=\"#999\" stroke-width=\"0.8\"/>\n", points);
+        svg_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"#999\" stroke-width=\"0.8\"/>\n", points, kGroundColor);
     }
 
     /// Of the height: bars of a round length, black and white in turn, and the height itself.
@@ -165,10 +178,33 @@ class Preview {
             }
             y += 25.0;
         }
-        if (std::none_of(bodies_.begin(), bodies_.end(), [](const DrawnBody& body) { return body.is_marked; })) return;
-        svg_ += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"12\" height=\"12\" fill=\"#3f8fca\" stroke=\"#4a4036\"/>\n", kTextLeft,
-                            y - 10.0);
-        detail::draw_text(svg_, kTextLeft + 18.0, y, "start", kGrey, "spine: blocks whose motion is sampled");
+    }
+
+    /// Colours of blocks by material, of the spine and of the ground.
+    void draw_legend() {
+        std::vector<std::pair<std::string, std::string>> entries;
+        const auto is_marked = [](const DrawnBody& body) { return body.is_marked; };
+        const std::vector<std::string> materials = find_material_names(summary_);
+        // a material whose blocks are all of the spine has no colour of its own here
+        for (std::size_t m = 0; m < materials.size(); ++m) {
+            const auto shows = [&](const DrawnBody& body) { return !body.is_marked && body.color == static_cast<int>(m); };
+            const auto shown = std::find_if(bodies_.begin(), bodies_.end(), shows);
+            if (shown == bodies_.end()) continue;
+            const std::string name = materials[m].empty() ? "the scene's material" : materials[m];
+            entries.emplace_back(find_swatch(*shown), materials.size() > 1 ? "blocks of " + name : "blocks");
+        }
+        const auto marked = std::find_if(bodies_.begin(), bodies_.end(), is_marked);
+        if (marked != bodies_.end()) entries.emplace_back(find_swatch(*marked), "spine: blocks whose motion is sampled");
+        if (summary_.specimen.model.ground.present) entries.emplace_back(kGroundColor, "ground");
+        double x = kMargin, y = kLegendTop;
+        for (const auto& [color, text] : entries) {
+            const double width = kSwatch + 6.0 + detail::find_text_width(text, detail::kSmallFont);
+            if (x > kMargin && x + width > kWidth - kMargin) x = kMargin, y += kLegendLine;
+            svg_ += fmt::format("<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2}\" height=\"{2}\" fill=\"{3}\" stroke=\"#4a4036\"/>\n", x,
+                                y - 10.0, kSwatch, color);
+            detail::draw_text(svg_, x + kSwatch + 6.0, y, "start", kGrey, text);
+            x += width + kLegendGap;
+        }
     }
 
     void draw_motion() {

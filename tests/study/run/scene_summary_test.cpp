@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -153,7 +155,33 @@ TEST_CASE("a preview draws the faces that can be seen") {
     const std::string svg = make_preview_svg(column);
     CHECK(count_parts(svg, "<polygon") == 4 * 2 + 1 + 1);
     CHECK(svg.find("Acceleration of the base along x") != std::string::npos);
+    CHECK(svg.find(">blocks<") != std::string::npos);
+    CHECK(svg.find(">ground<") != std::string::npos);
     // of a hollow tower most faces are hidden
     const SceneSummary tower = summarize_scene(make_new_scene({.kind = "tower", .layers = 4}));
-    CHECK(count_parts(make_preview_svg(tower), "<polygon") < tower.specimen.model.blocks.size() * 2);
+    const std::string hollow = make_preview_svg(tower);
+    CHECK(count_parts(hollow, "<polygon") < tower.specimen.model.blocks.size() * 2);
+    CHECK(hollow.find(">spine: blocks whose motion is sampled<") != std::string::npos);
+}
+
+TEST_CASE("a preview names the colours of the materials, each with that of its blocks") {
+    const Scene scene = parse_scene(R"({"schema": "musim-scene/1", "name": "two materials", "material": "wood",
+        "materials": {"capital": {"density": "2320 kg/m^3", "normal_stiffness": "2.6 GN/m", "shear_stiffness": "2.5 GN/m", "friction": 0.6, "restitution": 0.5}},
+        "structure": {"kind": "blocks", "blocks": [{"size": ["1 m", "1 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
+                      {"size": ["1 m", "1 m", "1 m"], "position": ["0 m", "0 m", "1.5 m"], "material": "capital"}]},
+        "time": {"duration": "0.1 s"}, "output": {"spine_rate": "100 Hz"}})");
+    const std::string svg = make_preview_svg(summarize_scene(scene));
+    // all blocks are sampled: none stands out
+    CHECK(svg.find(">spine: ") == std::string::npos);
+    std::string shown;
+    for (const std::string name : {"the scene's material", "capital"}) {
+        CAPTURE(name);
+        const std::size_t text = svg.find(fmt::format(">blocks of {}<", name));
+        REQUIRE(text != std::string::npos);
+        const std::string color = svg.substr(svg.find("fill=", svg.rfind("<rect", text)) + 6, 7);
+        // a face of a block has it, and it is not the other's
+        CHECK(count_parts(svg, fmt::format("\" fill=\"{}\"/>", color)) >= 1);
+        CHECK(shown != color);
+        shown = color;
+    }
 }
