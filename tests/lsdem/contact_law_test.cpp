@@ -42,13 +42,28 @@ TEST_CASE("an interface combines two materials") {
     // C_n·A = 2ζ sqrt(m_eff K A), with the restitution of the less elastic
     CHECK(law.normal_damping * 0.5 == relative(2.0 * compute_damping_ratio(0.5) * std::sqrt(2.0 * 1.5e9 * 0.5), 1e-9));
     CHECK(law.shear_damping * 0.5 == relative(2.0 * 0.1 * std::sqrt(2.0 * law.shear_stiffness * 0.5), 1e-9));
-    const Interface mirrored = make_interface(combine(hard, soft), 2.0, 0.5);
-    CHECK(mirrored.normal_stiffness == law.normal_stiffness);
     CHECK(combine(soft, soft).normal_stiffness == soft.normal_stiffness);
     const Interface half = scaled(law, 0.5);
     CHECK(half.normal_stiffness == 0.5 * law.normal_stiffness);
+    CHECK(half.shear_stiffness == 0.5 * law.shear_stiffness);
+    CHECK(half.normal_damping == 0.5 * law.normal_damping);
     CHECK(half.shear_damping == 0.5 * law.shear_damping);
     CHECK(half.friction == law.friction);
+}
+
+TEST_CASE("of two materials the smoother and the less elastic one counts, and the greater dashpot, whichever is named first") {
+    // one is smoother, the other less elastic
+    const Material one{1e9, 8e8, 0.3, 0.9, 0.1}, other{3e9, 2e9, 0.6, 0.5, 0.0};
+    for (const Material& joint : {combine(one, other), combine(other, one)}) {
+        CHECK(joint.normal_stiffness == relative(1.5e9, 1e-12));
+        CHECK(joint.shear_stiffness == relative(2.0 * 0.8 * 2.0 / 2.8 * 1e9, 1e-12));
+        CHECK(joint.friction == 0.3);
+        CHECK(joint.restitution == 0.5);
+        CHECK(joint.shear_damping_ratio == 0.1);
+    }
+    // without shear in either there is none between them
+    const Material smooth{1e9, 0.0, 0.0, 0.5, 0.0};
+    CHECK(combine(smooth, smooth).shear_stiffness == 0.0);
 }
 
 TEST_CASE("a pair in the table meets as it says, in either order, and others as they combine") {

@@ -94,10 +94,36 @@ TEST_CASE("a sampled sphere converges with the square of the voxel") {
     CHECK(sphere_error(0.1) / sphere_error(0.05) == relative(4.0, 0.15));
 }
 
+TEST_CASE("inside its grid a level set is the trilinear function of its nodes, and its gradient that function's") {
+    const auto value = [](const Vector3& x) {
+        return 1.0 + 2.0 * x.x() - 3.0 * x.y() + 5.0 * x.z() + 7.0 * x.x() * x.y() - 11.0 * x.y() * x.z() + 13.0 * x.z() * x.x() +
+               17.0 * x.x() * x.y() * x.z();
+    };
+    const auto slope = [](const Vector3& x) {
+        return Vector3(2.0 + 7.0 * x.y() + 13.0 * x.z() + 17.0 * x.y() * x.z(), -3.0 + 7.0 * x.x() - 11.0 * x.z() + 17.0 * x.z() * x.x(),
+                       5.0 - 11.0 * x.y() + 13.0 * x.x() + 17.0 * x.x() * x.y());
+    };
+    // other numbers of nodes along each axis, an origin that is none
+    const Vector3 origin(-0.5, 0.25, 1.0), extent = 0.5 * Vector3(1.0, 2.0, 4.0);
+    const GridLevelSet grid(origin, 0.5, {2, 3, 5}, value);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> even(0.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        const Vector3 x = origin + extent.cwiseProduct(Vector3(even(random), even(random), even(random)));
+        // rounding of terms of up to 100
+        CHECK(std::abs(grid.value(x) - value(x)) < 1e-13);
+        CHECK((grid.gradient(x) - slope(x)).norm() < 1e-12);
+    }
+}
+
 TEST_CASE("outside its grid a level set goes on as the distance to the grid") {
-    const GridLevelSet plane({0.0, 0.0, 0.0}, 0.5, {3, 3, 3}, [](const Vector3& x) { return x.x(); });
-    CHECK(plane.value({0.25, 0.3, 0.9}) == relative(0.25, 1e-15));
-    CHECK(plane.value({4.0, 0.5, 0.5}) == relative(4.0, 1e-15));
+    // of a plane that leans, beyond a face, an edge and a corner: the value at the nearest place of the grid, and how far that is
+    const auto plane = [](const Vector3& x) { return x.x() - 2.0 * x.y() + 3.0 * x.z(); };
+    const GridLevelSet grid({0.0, 0.0, 0.0}, 0.5, {3, 3, 3}, plane);
+    CHECK(grid.value({4.0, 0.5, 0.5}) == relative(plane({1.0, 0.5, 0.5}) + 3.0, 1e-15));
+    CHECK(grid.value({4.0, 0.25, 5.0}) == relative(plane({1.0, 0.25, 1.0}) + 5.0, 1e-15));
+    CHECK(grid.value({-3.0, 0.25, -4.0}) == relative(plane({0.0, 0.25, 0.0}) + 5.0, 1e-15));
+    CHECK(grid.value({2.0, -2.0, 3.0}) == relative(plane({1.0, 0.0, 1.0}) + 3.0, 1e-15));  // 1-2-2-3
     CHECK_THROWS_AS(GridLevelSet({0.0, 0.0, 0.0}, 0.0, {3, 3, 3}, [](const Vector3&) { return 0.0; }), std::invalid_argument);
     CHECK_THROWS_AS(GridLevelSet({0.0, 0.0, 0.0}, 1.0, {1, 3, 3}, [](const Vector3&) { return 0.0; }), std::invalid_argument);
 }

@@ -38,6 +38,25 @@ TEST_CASE("a figure says in numbers what it draws, and gives all of it as CSV") 
     }
 }
 
+TEST_CASE("each energy is drawn under its name") {
+    ReportedRun run = make_stored_run(2);
+    run.run.history.energy = {{.gravitational = 5.0},
+                              {.kinetic = 1.0,
+                               .gravitational = 7.0,
+                               .elastic_normal = 3.0,
+                               .elastic_shear = 0.5,
+                               .friction_loss = 4.0,
+                               .damping_loss = 6.0,
+                               .base_work = 8.0}};
+    const ReportFigure figure = make_energy_figure(run);
+    // at 0.02 s: kinetic 1, gravitational 7 − 5, elastic 3 + 1/2, ...
+    for (const std::string line : {"kinetic,0.02,1\n", "\"gravitational, from the start\",0.02,2\n", "elastic,0.02,3.5\n",
+                                   "lost by friction,0.02,4\n", "lost in dashpots,0.02,6\n", "work of the base,0.02,8\n"}) {
+        CAPTURE(line);
+        CHECK(figure.csv.find(line) != std::string::npos);
+    }
+}
+
 TEST_CASE("stacked curves list for each run and row the peak, when it is, and the last value") {
     const StackedPlot plot{.title = "t",
                            .subtitle = "",
@@ -112,7 +131,7 @@ TEST_CASE("a run looks the same in all plots, and twins have the colour of their
     const std::string spine = make_spine_figure(runs, pair)->svg, departure = make_departure_figure(runs, pair, "made")->svg,
                       difference = make_difference_figure(runs)->svg;
     const std::vector<ReportFigure> profiles = make_profile_figures(runs);
-    for (const char* model : {"1:25", "1:50"}) {
+    for (const std::string model : {"1:25", "1:50"}) {
         CAPTURE(model);
         const std::string look = look_of(spine, model);
         CHECK(look.starts_with("stroke=\"#"));

@@ -51,6 +51,35 @@ TEST_CASE("a block on an incline below the friction angle stays where it is") {
     CHECK(std::abs(relative_x(s) - before) < 2.0 * offset * (1.0 + stone.size.x() / stone.size.z()));
 }
 
+// Elementary statics: two springs in series, δ = F/K_s + F (h/2)²/(K_n l²/12): shear of the face, and pitching on it under the force's
+// moment F h/2, l the length of the face downhill, h the height. Load that comes on suddenly swings between nothing and twice that, which
+// friction bears as long as 2 tan θ < μ.
+TEST_CASE("a block on a gentle incline swings about the offset of its springs, to twice as far") {
+    const Stone stone = reference_wood();
+    Model model = make_lying_block(stone);
+    const double angle = 15.0 * kPi / 180.0;
+    model.gravity = tilted_gravity(angle);
+    Simulation s(model, lying_time_step(model));
+    const double force = stone.weight() * std::sin(angle), height = stone.size.x(), length = stone.size.z();
+    const double normal_stiffness = lying_shear_stiffness(stone) * stone.normal_stiffness / stone.shear_stiffness;
+    const double offset =
+        force / lying_shear_stiffness(stone) + force * 0.25 * height * height / (normal_stiffness * length * length / 12.0);
+    double sum = 0.0, farthest = 0.0;
+    int samples = 0;
+    while (s.time() < 0.05) {
+        advance(s, 4);
+        sum += relative_x(s);
+        farthest = std::max(farthest, relative_x(s));
+        ++samples;
+    }
+    // the mean of some hundred swings, one of which may be cut off
+    CHECK(sum / samples == relative(offset, 0.02));
+    // shear and pitching swing with periods of their own, whose peaks rarely meet
+    CHECK(farthest > 1.5 * offset);
+    CHECK(farthest < 2.01 * offset);
+    CHECK(s.energy().friction_loss < 1e-9 * force * offset);
+}
+
 // Elementary dynamics: a = g (sin θ − μ cos θ).
 TEST_CASE("a block on a steep incline slides with g times sine less friction") {
     struct Case {

@@ -154,6 +154,32 @@ TEST_CASE("the list stays complete while no block has drifted farther than allow
     }
 }
 
+TEST_CASE("two blocks that are not listed cannot meet while neither has drifted farther than allowed") {
+    const Stone stone = wood();
+    const double skin = kNeighborSkin * std::min({stone.size.x(), stone.size.y(), stone.size.z()});
+    for (const FaceContact how : {FaceContact::nodes, FaceContact::overlap}) {
+        // side by side, just beyond the skin and just within
+        for (const bool is_listed : {false, true}) {
+            CAPTURE(is_listed);
+            Model model = make_model(stone);
+            model.numerics.face_contact = how;
+            const double distance = stone.size.x() + (is_listed ? 0.999 : 1.001) * skin;
+            for (const double x : {0.0, distance}) model.blocks.push_back(make_block(stone, {x, 0.0, stone.size.z()}));
+            Bodies bodies(model);
+            NeighborSearch search(model);
+            ContactList list;
+            Losses finished{std::vector<PairWork>(bodies.size()), {}};
+            search.rebuild(bodies, BasePose{}, list, finished);
+            CHECK(list.pairs.size() == (is_listed ? 1 : 0));
+            // each towards the other as far as allowed: half the gap, so that the faces still do not touch
+            for (const std::size_t i : {0U, 1U}) bodies.pose[i].position.x() += (i == 0 ? 1.0 : -1.0) * search.allowed_drift();
+            const double gap = bodies.pose[1].position.x() - bodies.pose[0].position.x() - stone.size.x();
+            if (!is_listed) CHECK(gap > 0.0);
+            CHECK(std::abs(gap) < 0.01 * skin);
+        }
+    }
+}
+
 TEST_CASE("drift is measured against the base") {
     const Model model = make_resting_column(wood(), 2);
     Bodies bodies(model);
@@ -176,4 +202,8 @@ TEST_CASE("the lower block leads and of equals the first") {
     bodies.pose[1].position.z() = bodies.pose[0].position.z();
     CHECK(leads(bodies, 0, 1));
     CHECK_FALSE(leads(bodies, 1, 0));
+    // whichever is listed first
+    bodies.pose[1].position.z() -= 1e-9;
+    CHECK(leads(bodies, 1, 0));
+    CHECK_FALSE(leads(bodies, 0, 1));
 }
