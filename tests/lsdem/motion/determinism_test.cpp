@@ -13,6 +13,21 @@
 using namespace musim::lsdem;
 using namespace musim::lsdem::tests;
 
+namespace {
+
+/// Two blocks that fall onto an edge and onto each other; their turns are rational, so that no function of a library rounds them.
+Model make_falling_pair() {
+    const Stone stone = wood();
+    Model model = make_model(stone);
+    const Quaternion about_x(12.0 / 13.0, 5.0 / 13.0, 0.0, 0.0), about_y(15.0 / 17.0, 0.0, 8.0 / 17.0, 0.0);
+    model.blocks.push_back(make_block(stone, {0.0, 0.0, 0.024}, about_x));
+    model.blocks.push_back(make_block(stone, {0.001, 0.002, 0.064}, about_y));
+    for (Block& block : model.blocks) block.velocity.z() = -1.0;
+    return model;
+}
+
+}  // namespace
+
 TEST_CASE("one and two and three and four threads give the same bits") {
     const Stone stone = wood();
     Model model = make_running_bond(stone, 8, 12, 9);
@@ -57,10 +72,9 @@ TEST_CASE("wide and plain instructions give the same bits" * doctest::test_suite
     }
 }
 
-// A number that other machines, compilers and instructions have to find again. It changes with the arithmetic of a step alone; who changes
-// that on purpose writes the new one here.
-TEST_CASE("a small wall and a loose pile have the pinned state after 400 steps, with any instructions" *
-          doctest::test_suite("one-thread")) {
+// Numbers that other machines, compilers and instructions have to find again. They change with the arithmetic of a step alone; who changes
+// that on purpose writes the new ones here.
+TEST_CASE("small scenes have the pinned state after 400 steps, with any instructions" * doctest::test_suite("one-thread")) {
     using musim::lsdem::detail::Instructions;
     struct Pinned {
         Model model;
@@ -70,16 +84,16 @@ TEST_CASE("a small wall and a loose pile have the pinned state after 400 steps, 
     wall.ground.motion[0] = velocity_step(1.0);
     Model by_nodes = wall;
     by_nodes.numerics.face_contact = FaceContact::nodes;
-    const std::vector<Pinned> scenes{
-        {wall, "fc5fff17b28006ca"}, {by_nodes, "e41a914ae9f49e09"}, {make_loose_pile(wood(), 2, 2), "215be1e67628dcae"}};
-    for (const Pinned& scene : scenes) {
+    for (const Pinned& scene :
+         {Pinned{wall, "fc5fff17b28006ca"}, Pinned{by_nodes, "e41a914ae9f49e09"}, Pinned{make_falling_pair(), "63838277e9d24987"}}) {
         for (const Instructions most : {Instructions::plain, Instructions::avx2, Instructions::avx512}) {
             CAPTURE(static_cast<int>(most));
             musim::lsdem::detail::limit_instructions(most);
             // a power of two: no rounding of the step's own
             Simulation s(scene.model, 0x1p-17);
             s.advance(400);
-            CHECK(s.state_hash() == scene.state);
+            CHECK(s.energy().friction_loss > 0.0);
+            CHECK(s.state_hash() == std::string(scene.state));
         }
     }
 }
