@@ -57,7 +57,7 @@ std::array<std::string_view, 3> find_titles(const TextFile& file, std::size_t& i
 }
 
 // "(N-S) 37.847707 (E-W) 39.771316 (U-D) 32.130932"
-void check_peak(const TextFile& file, const HeaderField& peaks, std::string_view component, double measured) {
+void check_peak(const TextFile& file, const HeaderField& peaks, std::string_view component, const MeasuredPeak& measured) {
     const std::string name = fmt::format("({})", component);
     const std::size_t found = peaks.text.find(name);
     std::string_view rest = peaks.text.substr(found == std::string_view::npos ? peaks.text.size() : found + name.size());
@@ -82,7 +82,8 @@ GroundMotion parse_afad(const TextFile& file, const ReadOptions& options) {
     GroundMotion motion{.source = file.path().string(), .format = "AFAD"};
     for (std::size_t i = 0; i < titles.size(); ++i) {
         std::vector<double>& samples = table.columns[i];
-        check_peak(file, peaks, titles.at(i), std::abs(signed_peak(samples)) / gal.si);
+        const std::string_view largest = text_in_table(file, table, find_peak(samples), i);
+        check_peak(file, peaks, titles.at(i), {std::abs(signed_peak(samples)) / gal.si, half_last_digit(largest)});
         motion.components.push_back({.name = std::string(titles.at(i)),
                                      .azimuth_deg = azimuth_of_axis(titles.at(i)),
                                      .series = {gal.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples)}});

@@ -142,10 +142,11 @@ SampleUnit read_unit(const TextFile& file, std::size_t index, const NumericHeade
 std::vector<double> read_samples(const TextFile& file, const Channel& channel, const NumericHeader& reals, scaling::Time dt) {
     const std::size_t count = leading_count(file, channel.data, "point");
     check_record_length(file, channel.data, count, dt, reals.find(kLengthInSeconds).value_or(0.0), reals.line_of(kLengthInSeconds));
-    std::vector<double> samples = read_block(file, {channel.data + 1, count, stated_columns(file, channel.data)}, channel.unit.si);
+    const NumberBlock block{channel.data + 1, count, stated_columns(file, channel.data)};
+    std::vector<double> samples = read_block(file, block, channel.unit.si);
     if (const std::optional<double> peak = reals.find(kPeak)) {
         // networks state the peak before they round the samples, or remove their mean: four digits agree
-        const double tolerance = 1e-3 * std::abs(*peak);
+        const double tolerance = 1e-3 * std::abs(*peak) + half_last_digit(text_of_number(file, block, find_peak(samples)));
         check_peak(file, reals.line_of(kPeak), samples, {*peak, tolerance, channel.unit.si, channel.unit.name});
     }
     return samples;

@@ -46,14 +46,17 @@ std::array<std::string_view, kComponents> read_names(const TextFile& file, const
 }
 
 // "0.658~   -0.837": largest and smallest sample
-void check_extremes(const TextFile& file, const HeaderFields& header, std::string_view component, const std::vector<double>& samples,
-                    const SampleUnit& unit) {
+void check_extremes(const TextFile& file, const HeaderFields& header, std::string_view component, const NumberTable& table,
+                    std::size_t column, const SampleUnit& unit) {
     const std::string name = fmt::format("AmplitudeMAX. {}", component);
     const HeaderField field = header.require(name);
     std::string_view rest = field.text;
+    const std::vector<double>& samples = table.columns[column];
     const auto [smallest, largest] = std::minmax_element(samples.begin(), samples.end());
-    check_stated_peak(file, field.line, name, take_token(rest, " \t~"), *largest / unit.si);
-    check_stated_peak(file, field.line, name, take_token(rest, " \t~"), *smallest / unit.si);
+    for (const auto extreme : {largest, smallest}) {
+        const std::string_view sample = text_in_table(file, table, static_cast<std::size_t>(extreme - samples.begin()), column);
+        check_stated_peak(file, field.line, name, take_token(rest, " \t~"), {*extreme / unit.si, half_last_digit(sample)});
+    }
 }
 
 // length and rate of the header, to one sample, and its rate against the time column
@@ -89,7 +92,7 @@ GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options) {
     GroundMotion motion{.source = file.path().string(), .format = "CWA"};
     for (std::size_t i = 0; i < kComponents; ++i) {
         std::vector<double>& samples = table.columns[i + 1];
-        check_extremes(file, header, names.at(i), samples, unit);
+        check_extremes(file, header, names.at(i), table, i + 1, unit);
         const bool is_horizontal = names.at(i) == "N" || names.at(i) == "E";
         motion.components.push_back({.name = std::string(names.at(i)),
                                      .azimuth_deg = is_horizontal ? find_azimuth_deg(names.at(i)) : std::nullopt,

@@ -33,12 +33,14 @@ SampleUnit read_unit(const TextFile& file, const HeaderFields& header) {
 }
 
 // "PGA_CM/S^2: 1.632", with or without the sign of the peak
-void check_peak(const TextFile& file, const HeaderFields& header, const SampleUnit& unit, const std::vector<double>& samples) {
+void check_peak(const TextFile& file, const HeaderFields& header, std::size_t begin, const SampleUnit& unit,
+                const std::vector<double>& samples) {
     for (const std::string_view name : {"PGA_CM/S^2", "PGV_CM/S", "PGD_CM"}) {
         const std::optional<HeaderField> field = header.find(name);
         if (!field) continue;
         const std::string_view magnitude = field->text.substr(field->text.starts_with('-') ? 1 : 0);
-        check_stated_peak(file, field->line, name, magnitude, std::abs(signed_peak(samples)) / unit.si);
+        const std::string_view largest = text_of_value(file, begin, find_peak(samples));
+        check_stated_peak(file, field->line, name, magnitude, {std::abs(signed_peak(samples)) / unit.si, half_last_digit(largest)});
     }
 }
 
@@ -60,7 +62,7 @@ GroundMotion parse_esm(const TextFile& file, const ReadOptions& options) {
     const scaling::Time dt = checked_dt(file, header.require("SAMPLING_INTERVAL_S").line, header.require_positive("SAMPLING_INTERVAL_S"));
     refuse_contradictions(file, options, unit, dt);
     std::vector<double> samples = read_values(file, header_lines, file.size(), {header.require_count("NDATA"), "NDATA"}, unit.si);
-    check_peak(file, header, unit, samples);
+    check_peak(file, header, header_lines, unit, samples);
 
     GroundMotion motion{.source = file.path().string(), .format = "ESM"};
     motion.event =

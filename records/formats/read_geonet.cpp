@@ -179,9 +179,13 @@ std::optional<TimeSeries> read_blocks(const Section& section, const ReadOptions&
         const std::optional<Block> block = read_block_header(section, which);
         if (!block) continue;
         check_duration(section, block->count, dt);
-        std::vector<double> samples = read_block(file, {.line = index, .count = block->count, .columns = kGeonetColumns}, block->unit.si);
+        const NumberBlock numbers{.line = index, .count = block->count, .columns = kGeonetColumns};
+        std::vector<double> samples = read_block(file, numbers, block->unit.si);
         index += lines_of(block->count, kGeonetColumns);
-        check_stated_peak(file, section.start + kPeakLine + which, "peak", block->peak, signed_peak(samples) / block->unit.si);
+        // a sample of eight letters has fewer decimals the larger it is
+        const std::string_view largest = text_of_number(file, numbers, find_peak(samples));
+        check_stated_peak(file, section.start + kPeakLine + which, "peak", block->peak,
+                          {signed_peak(samples) / block->unit.si, half_last_digit(largest)});
         if (block->unit.quantity != wanted) continue;
         refuse_contradictions(file, options, block->unit, dt);
         series.emplace(wanted, start, dt, std::move(samples));

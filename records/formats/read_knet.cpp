@@ -88,7 +88,8 @@ GroundMotion parse_knet(const TextFile& file, const ReadOptions& options) {
     std::vector<double> samples =
         read_values(file, kKnetHeaderLines, file.size(), announced_count(file, header, dt), gal_per_count * gal.si);
     const HeaderField peak = header.require("Max. Acc. (gal)");
-    check_stated_peak(file, peak.line, "Max. Acc. (gal)", peak.text, std::abs(signed_peak(samples, find_mean(samples))) / gal.si);
+    check_stated_peak(file, peak.line, "Max. Acc. (gal)", peak.text,
+                      {std::abs(signed_peak(samples, find_mean(samples))) / gal.si, 0.5 * gal_per_count});
 
     GroundMotion motion{.source = file.path().string(), .format = "K-NET/KiK-net"};
     motion.event = fmt::format("{} JST, magnitude {}", header.text("Origin Time"), header.text("Mag."));

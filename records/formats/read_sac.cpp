@@ -68,9 +68,9 @@ void require_evenly_spaced_series(const SacFile& sac) {
     if (const int type = sac.integer(kFileType); type != kTimeSeries) {
         sac.file.fail(fmt::format("SAC file type is {} (only time series, type 1, are read)", type), "convert it to a time series");
     }
-    if (sac.integer(kIsEven) != 1) {
-        sac.file.fail(fmt::format("LEVEN is {} (only evenly spaced samples are read)", sac.integer(kIsEven)), "resample the record");
-    }
+    // true is any number but 0: some programs write -1, Fortran's true. An uneven file that leaves it undefined has times behind its
+    // samples, twice as many bytes as read_count() takes
+    if (sac.integer(kIsEven) == 0) sac.file.fail("LEVEN is 0 (only evenly spaced samples are read)", "resample the record");
 }
 
 scaling::Time read_dt(const SacFile& sac) {

@@ -88,14 +88,18 @@ std::optional<scaling::Frequency> find_filter_corner(const TextFile& file) {
 }
 
 // "PEAK   VELOCITY   =    12.05681    CMS/SEC   AT    4.500   SEC."
-void check_stated_peak(const TextFile& file, std::size_t first, std::size_t last, std::span<const double> samples, const SampleUnit& unit) {
+void check_stated_peak(const TextFile& file, std::size_t first, std::size_t last, std::span<const double> samples,
+                       std::string_view largest_sample, const SampleUnit& unit) {
     for (std::size_t index = first; index < last; ++index) {
         const std::string_view line = file.line(index);
         if (find_ignoring_case(line, "PEAK") != 0 || !contains_ignoring_case(line, to_string(unit.quantity))) continue;
         std::string_view rest = line.substr(std::min(line.find('='), line.size() - 1) + 1);
-        const std::optional<double> peak = parse_real(take_token(rest));
-        constexpr double kPrinted = 1e-3;  // cm/s², cm/s, cm; the last digit of the samples
-        if (peak) check_peak(file, index, samples, {*peak, kPrinted, unit.si, unit.name});
+        const std::string_view printed = take_token(rest);
+        const std::optional<double> peak = parse_real(printed);
+        if (!peak) continue;
+        // cut or rounded: a whole last digit each
+        const double tolerance = 2.0 * (half_last_digit(printed) + half_last_digit(largest_sample));
+        check_peak(file, index, samples, {*peak, tolerance, unit.si, unit.name});
     }
 }
 
@@ -111,8 +115,9 @@ TimeSeries read_corrected(const TextFile& file, const ReadOptions& options) {
     std::optional<TimeSeries> series;
     while (announces_samples(file.line(index))) {
         const BlockHeader block = read_block_header(file, index, find_header_unit(file, first_block, file.line(index)));
-        std::vector<double> samples = read_block(file, {block.line + 1, block.count, block.columns}, block.unit.si);
-        check_stated_peak(file, 0, first_block, samples, block.unit);
+        const NumberBlock numbers{block.line + 1, block.count, block.columns};
+        std::vector<double> samples = read_block(file, numbers, block.unit.si);
+        check_stated_peak(file, 0, first_block, samples, text_of_number(file, numbers, find_peak(samples)), block.unit);
         index = block.line + 1 + lines_of(block.count, block.columns);
         if (block.unit.quantity != wanted || series) continue;
         refuse_contradictions(file, options, block.unit, block.dt);

@@ -35,6 +35,12 @@ std::optional<FixedColumns> find_columns(std::string_view line) {
 
 std::size_t lines_of(std::size_t count, const FixedColumns& columns) { return (count + columns.per_line - 1) / columns.per_line; }
 
+std::string_view text_of_number(const TextFile& file, const NumberBlock& block, std::size_t i) {
+    const auto& [per_line, width, indent, is_integer] = block.columns;
+    const std::string_view line = file.line(block.line + i / per_line);
+    return trim(line.substr(std::min(indent + i % per_line * width, line.size()), width));
+}
+
 std::vector<double> read_block(const TextFile& file, const NumberBlock& block, double si) {
     const auto& [per_line, width, indent, is_integer] = block.columns;
     std::vector<double> numbers;

@@ -33,6 +33,9 @@ struct NumberBlock {
 /// Reads the numbers of a block, times `si`. Throws ReadError when one is missing, not finite or not in its column, or a line goes on.
 std::vector<double> read_block(const TextFile& file, const NumberBlock& block, double si = 1.0);
 
+/// The letters of number `i` of a block that was read, without blanks.
+std::string_view text_of_number(const TextFile& file, const NumberBlock& block, std::size_t i);
+
 /// A header of numbers in columns, counted from 1 as descriptions of formats do, with one number that stands for unknown.
 struct NumericHeader {
     NumberBlock block = {};

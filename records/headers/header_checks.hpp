@@ -31,10 +31,24 @@ void check_peak(const TextFile& file, std::size_t index, std::span<const double>
 /// header would shake the wrong axis. 0 and -999 stand for unknown.
 void check_azimuth(const TextFile& file, std::size_t index, double stored, const Direction& direction, std::size_t titled_on);
 
+/// Index of the sample farthest from `level`, the first of several; 0 when there is none.
+std::size_t find_peak(std::span<const double> samples, double level = 0.0);
+
 /// The sample farthest from `level`, minus that level, with its sign; 0 when there is none.
 double signed_peak(std::span<const double> samples, double level = 0.0);
 
-/// Throws ReadError unless the `measured` peak, in the header's unit, is the one that line `index` prints, to one unit of its last digit.
-void check_stated_peak(const TextFile& file, std::size_t index, std::string_view name, std::string_view printed, double measured);
+/// Half of what one unit of a printed number's last digit is worth: 0.005 of "-41.60", 5 of "1.20E3", 0.5 of "-1017.".
+double half_last_digit(std::string_view number);
+
+/// A peak of the samples, and by how much their printing rounded it, in the header's unit.
+struct MeasuredPeak {
+    double value = 0.0;
+    double rounding = 0.0;
+};
+
+/// Throws ReadError unless the measured peak is the one that line `index` prints, to one unit of its last digit and the rounding of the
+/// samples.
+void check_stated_peak(const TextFile& file, std::size_t index, std::string_view name, std::string_view printed,
+                       const MeasuredPeak& measured);
 
 }  // namespace musim::records::detail

@@ -10,15 +10,63 @@
 #include "records/formats/resample_uneven.hpp"
 
 namespace musim::records::detail {
+namespace {
+
+constexpr std::string_view kTableSeparators = " \t,";
+
+/// A clock of even steps.
+struct EvenTimes {
+    double start;
+    double step;
+
+    double time(std::size_t row) const { return start + static_cast<double>(row) * step; }
+    /// The first row whose time is off by more than a clock's jitter.
+    std::optional<std::size_t> find_miss(std::span<const double> times) const {
+        for (std::size_t row = 0; row < times.size(); ++row)
+            if (!(std::abs(times[row] - time(row)) <= kTimeJitter * step)) return row;
+        return std::nullopt;
+    }
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// the clock that most rows keep
+EvenTimes find_usual_times(std::span<const double> times) {
+    std::vector<double> values;
+    for (std::size_t row = 1; row < times.size(); ++row) values.push_back(times[row] - times[row - 1]);
+    const double step = median(values);
+    values.clear();
+    for (std::size_t row = 0; row < times.size(); ++row) values.push_back(times[row] - static_cast<double>(row) * step);
+    return {median(std::move(values)), step};
+}
+
+}  // namespace
+
+std::string_view text_of_value(const TextFile& file, std::size_t begin, std::size_t ordinal) {
+    for (std::size_t index = begin; index < file.size(); ++index) {
+        std::string_view rest = file.line(index);
+        for (std::string_view token = take_token(rest, kTableSeparators); !token.empty(); token = take_token(rest, kTableSeparators)) {
+            if (ordinal-- == 0) return token;
+        }
+    }
+    return {};
+}
+
+std::string_view text_in_table(const TextFile& file, const NumberTable& table, std::size_t row, std::size_t column) {
+    return text_of_value(file, table.lines.at(row), column);
+}
 
 std::vector<double> read_values(const TextFile& file, std::size_t begin, std::size_t end, const AnnouncedCount& announced, double si) {
     constexpr std::size_t kReservedAtMost = 1U << 20U;  // values; a damaged count must not claim the memory
-    constexpr std::string_view kSeparators = " \t,";
     std::vector<double> values;
     values.reserve(std::min(announced.count, kReservedAtMost));
     for (std::size_t index = begin; index < end; ++index) {
         std::string_view rest = file.line(index);
-        for (std::string_view token = take_token(rest, kSeparators); !token.empty(); token = take_token(rest, kSeparators)) {
+        for (std::string_view token = take_token(rest, kTableSeparators); !token.empty(); token = take_token(rest, kTableSeparators)) {
             const double sample = checked_sample(file, index, token, values.size() + 1, si);
             if (values.size() == announced.count) {
                 file.fail(index, fmt::format("more values than {} = {} (header and data disagree)", announced.name, announced.count),
@@ -36,13 +84,12 @@ std::vector<double> read_values(const TextFile& file, std::size_t begin, std::si
 }
 
 NumberTable read_table(const TextFile& file, std::size_t begin, std::span<const double> si) {
-    constexpr std::string_view kSeparators = " \t,";
     NumberTable table{.columns = std::vector<std::vector<double>>(si.size()), .lines = {}};
     for (std::size_t index = begin; index < file.size(); ++index) {
         std::string_view rest = file.line(index);
         if (trim(rest).empty()) continue;
         std::size_t column = 0;
-        for (std::string_view token = take_token(rest, kSeparators); !token.empty(); token = take_token(rest, kSeparators)) {
+        for (std::string_view token = take_token(rest, kTableSeparators); !token.empty(); token = take_token(rest, kTableSeparators)) {
             if (column < si.size()) table.columns[column].push_back(checked_sample(file, index, token, table.rows() + 1, si[column]));
             ++column;
         }
@@ -69,15 +116,19 @@ void check_rows(const TextFile& file, const NumberTable& table, const AnnouncedC
 
 double even_time_step(const TextFile& file, std::span<const double> times, std::span<const std::size_t> lines) {
     if (times.size() < 2) file.fail(lines.front(), "one row gives no time step (two at least are needed)", "fetch the record again");
-    const double dt = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-    for (std::size_t row = 0; row < times.size(); ++row) {
-        const double expected = times.front() + static_cast<double>(row) * dt;
-        if (!(std::abs(times[row] - expected) <= kTimeJitter * dt)) {
-            file.fail(lines[row], fmt::format("time is {} s (even sampling gives {:.6g} s)", times[row], expected),
-                      "resample the record evenly");
-        }
-    }
-    return to_short_decimal(dt);
+    const EvenTimes mean{times.front(), (times.back() - times.front()) / static_cast<double>(times.size() - 1)};
+    const std::optional<std::size_t> uneven = mean.find_miss(times);
+    if (!uneven) return to_short_decimal(mean.step);
+
+    // one wrong time at an end shifts the mean step of all; the medians show which it is
+    const EvenTimes usual = find_usual_times(times);
+    const std::size_t row = usual.find_miss(times).value_or(*uneven);
+    const bool may_be_counts =
+        row == 0 && times[0] == std::floor(times[0]) && std::abs(times[0] - static_cast<double>(times.size())) <= 1.0;
+    file.fail(lines[row],
+              fmt::format("time is {} s (even sampling gives {:.9g} s{})", times[row], usual.time(row),
+                          may_be_counts ? ", and as many rows follow: it may be the number of points" : ""),
+              may_be_counts ? "remove the row" : "resample the record evenly");
 }
 
 }  // namespace musim::records::detail

@@ -31,6 +31,12 @@ struct NumberTable {
 /// every row holds one finite number a column, between blanks or commas.
 NumberTable read_table(const TextFile& file, std::size_t begin, std::span<const double> si);
 
+/// The letters of value `ordinal`, from 0, that read_values() read from line `begin` on.
+std::string_view text_of_value(const TextFile& file, std::size_t begin, std::size_t ordinal);
+
+/// The letters of a value that read_table() read.
+std::string_view text_in_table(const TextFile& file, const NumberTable& table, std::size_t row, std::size_t column);
+
 /// Throws ReadError unless the table has as many rows as announced.
 void check_rows(const TextFile& file, const NumberTable& table, const AnnouncedCount& announced);
 

@@ -37,6 +37,25 @@ FixedColumns find_pair_columns(const TextFile& file, std::size_t line, std::size
     return columns;
 }
 
+// runs of equal times lie evenly within half a last digit to both sides of what is printed; how many times were moved
+std::size_t spread_equal_times(const TextFile& file, const NumberBlock& block, std::vector<double>& times) {
+    std::size_t moved = 0;
+    for (std::size_t first = 0; first < times.size();) {
+        std::size_t end = first + 1;
+        while (end < times.size() && times[end] == times[first]) ++end;
+        const std::size_t run = end - first;
+        if (run > 1) {
+            const double half = half_last_digit(text_of_number(file, block, 2 * first));
+            const double printed = times[first];
+            for (std::size_t i = 0; i < run; ++i)
+                times[first + i] = printed + half * (static_cast<double>(2 * i + 1) / static_cast<double>(run) - 1.0);
+            moved += run;
+        }
+        first = end;
+    }
+    return moved;
+}
+
 }  // namespace
 
 TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, double si) {
@@ -47,7 +66,7 @@ TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, 
     const std::vector<double> numbers = read_block(file, block);
     const auto line_of_pair = [&](std::size_t pair) { return block.line + 2 * pair / block.columns.per_line; };
 
-    TimedSamples timed{block.line, {}, {}};
+    TimedSamples timed{.line = block.line, .times = {}, .samples = {}};
     for (std::size_t pair = 0; 2 * pair < numbers.size(); ++pair) {
         const double sample = numbers[2 * pair + 1] * si;
         if (!std::isfinite(sample)) {
@@ -56,6 +75,7 @@ TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, 
         timed.times.push_back(numbers[2 * pair]);
         timed.samples.push_back(sample);
     }
+    timed.spread = spread_equal_times(file, block, timed.times);
     if (const std::optional<std::size_t> found = find_time_out_of_order(timed.times)) {
         file.fail(line_of_pair(*found), fmt::format("time {} is {} s (not after the one before it)", *found + 1, timed.times[*found]),
                   "repair the time or fetch the file again");
@@ -65,7 +85,12 @@ TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, 
 
 ResampledSeries resample(const TextFile& file, SampleQuantity quantity, const TimedSamples& timed) {
     try {
-        return resample_uneven(quantity, timed.times, timed.samples);
+        ResampledSeries resampled = resample_uneven(quantity, timed.times, timed.samples);
+        if (timed.spread > 0) {
+            resampled.note += fmt::format("{}{} times that are printed alike spread within their last digit",
+                                          resampled.note.empty() ? "" : ", ", timed.spread);
+        }
+        return resampled;
     } catch (const ReadError& error) {
         throw error.seen_from<ReadError>(file.place_of(timed.line));
     }
@@ -93,9 +118,12 @@ ResampledSeries read_volume1_pairs(const TextFile& file, std::size_t& index) {
         const double mean_step = (timed.times.back() - timed.times.front()) / static_cast<double>(std::max<std::size_t>(count, 2) - 1);
         check_record_length(file, start + kCountsLine, count, mean_step * scaling::si::seconds, *length, start + kCountsLine);
     }
-    constexpr double kPrinted = 1e-3;  // g; the last digit printed
-    if (const std::optional<double> peak = parse_real(value_of(file.line(start + kUnitLine), "MAX"))) {
-        check_peak(file, start + kUnitLine, timed.samples, {*peak, kPrinted, 10.0 * kTenthOfG.si, "g"});
+    const std::string_view printed = value_of(file.line(start + kUnitLine), "MAX");
+    if (const std::optional<double> peak = parse_real(printed)) {
+        // samples are in tenths of g; the header's digits are cut or rounded
+        const double rounding = 0.1 * half_last_digit(text_of_number(file, block, 2 * find_peak(timed.samples) + 1));
+        const double tolerance = 2.0 * half_last_digit(printed) + rounding;
+        check_peak(file, start + kUnitLine, timed.samples, {*peak, tolerance, 10.0 * kTenthOfG.si, "g"});
     }
     index = body + lines_of(block.count, block.columns);
     return resample(file, SampleQuantity::acceleration, timed);

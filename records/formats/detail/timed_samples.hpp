@@ -13,10 +13,11 @@ struct TimedSamples {
     std::size_t line = 0;         ///< where the pairs start
     std::vector<double> times;    ///< [s], strictly rising
     std::vector<double> samples;  ///< times si
+    std::size_t spread = 0;       ///< times that are printed alike and were spread within their last digit
 };
 
-/// Reads a block of numbers that are (time, value) pairs; its count, of numbers, must be even. Throws ReadError as read_block() does and
-/// when a time does not rise.
+/// Reads a block of numbers that are (time, value) pairs; its count, of numbers, must be even. Times that rounding made equal are spread
+/// evenly within their last digit. Throws ReadError as read_block() does and when a time falls.
 TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, double si);
 
 /// The samples on an even clock; what resample_uneven() refuses is reported with the file and the line where the pairs start.

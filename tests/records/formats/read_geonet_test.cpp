@@ -69,6 +69,15 @@ TEST_CASE("the option chooses the block, and a block that was not evaluated is m
     tests::check_refused(kGeonetFile, "a:1: component has no displacement", {.quantity = SampleQuantity::displacement});
 }
 
+TEST_CASE("a peak of a GeoNet file may differ from its sample by the rounding of both") {
+    const tests::TemporaryFolder folder;
+    // eight letters hold -1017. where the header has two decimals
+    const std::string strong = replaced(replaced(kGeonetFile, "     1.65 mm/s ", " -1016.55 mm/s "), "  1.6472", "  -1017.");
+    CHECK(read_record(folder.write("a", strong), {.quantity = SampleQuantity::velocity}).components.front().series.samples()[6] ==
+          relative(-1.017, 1e-15));
+    tests::check_refused(replaced(strong, "-1016.55", "-1016.45"), "a:15: peak is '-1016.45' (the samples peak at -1017;");
+}
+
 TEST_CASE("every defect of a GeoNet file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kGeonetFile, "  0.0000  0.0000\n", ""), "a:29: sample 11 of 12 is missing (file is truncated)");

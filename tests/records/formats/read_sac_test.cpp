@@ -69,6 +69,15 @@ TEST_CASE("a SAC file of either byte order gives clock, names and samples") {
     }
 }
 
+TEST_CASE("LEVEN of a SAC file is true when it is not zero") {
+    const tests::TemporaryFolder folder;
+    const TimeSeries expected = read_record(folder.write("a", make_sac()), {.unit = "g"}).components.front().series;
+    for (const std::int32_t value : {-1, 2, -12345}) {
+        CAPTURE(value);
+        CHECK(read_record(folder.write("b", with(make_sac(), 420, value)), {.unit = "g"}).components.front().series == expected);
+    }
+}
+
 TEST_CASE("the unit of a SAC file has to be named, and to be of the quantity that its header gives") {
     const tests::TemporaryFolder folder;
     const auto path = folder.write("a", make_sac());

@@ -102,6 +102,21 @@ TEST_CASE("an SMC file without a sampling rate holds times and values, which bec
     CHECK(motion.history.back() == "resampled from 5 uneven samples (0.009 to 0.011 s) to 0.01 s by straight lines");
 }
 
+TEST_CASE("times of an SMC file that rounding made equal are spread within their last digit") {
+    const tests::TemporaryFolder folder;
+    // 10.001 and 10.004 s print as 1.0000E+1, whose last digit is a millisecond
+    const std::string pairs = " 9.9900E+0 0.0000E+0 1.0000E+1 1.0000E+0 1.0000E+1 2.0000E+0 1.0010E+1 3.0000E+0\n 1.0020E+1 4.0000E+0\n";
+    const File rounded{.title = "1 UNCORRECTED ACCELEROGRAM", .count = 10, .rate = 1.7e38, .largest = 4.0, .smallest = 0.0, .body = pairs};
+
+    const GroundMotion motion = read_record(folder.write("a", smc_text_of(rounded)));
+
+    CHECK(motion.history.back().find("2 times that are printed alike spread within their last digit") != std::string::npos);
+    const TimeSeries& series = motion.components.front().series;
+    CHECK(series.dt().value() == relative(0.01, 1e-3));
+    CHECK(series.samples()[0] == 0.0);
+    CHECK(series.end().value() == relative(10.02, 1e-3));
+}
+
 TEST_CASE("an SMC file of unknown content is acceleration unless another quantity is asked for") {
     const tests::TemporaryFolder folder;
     const auto path = folder.write("a", smc_text_of({.title = "0 UNKNOWN"}));
@@ -140,7 +155,7 @@ TEST_CASE("every defect of an SMC file is reported with its line") {
              Case{smc_text_of({.title = "5 RESPONSE SPECTRA"}), "a:1: file holds spectra"},
              Case{smc_text_of({.body = " 1.0000E+x" + body.substr(10)}), "a:29: sample 1 is '1.0000E+x' (no finite number)"},
              Case{smc_text_of({}).substr(0, 1000), "a:23: real-header value 27 of 50 is missing (file is truncated)"},
-             Case{uneven_with("1.9000E-2", "1.0000E-2"), "a:29: time 3 is 0.01 s (not after the one before it)"},
+             Case{uneven_with("1.9000E-2", "0.9000E-2"), "a:29: time 3 is 0.009 s (not after the one before it)"},
              Case{uneven_with("4.0000E-2", "9.9000E+9"), "a:29: times are too uneven to resample"},
              Case{smc_text_of({.rate = 1.7e38}), "a:29: 9 numbers announced (pairs of time and value need an even count)"},
          }) {

@@ -70,7 +70,7 @@ TEST_CASE("every defect of pairs is reported with its line") {
              Case{channel(kCsmip, "4", ".005", kVolume1Pairs, kEndMark), "a:12: peak is 0.005 g (largest sample: 0.003;"},
              Case{channel(kCsmip, "1000000000000", ".003", kVolume1Pairs, kEndMark), "a:11: number of points '1000000000000' is unusable"},
              Case{channel(kCsmip, "4", ".003", "", ""), "a:27: sample 1 of 4 is missing"},
-             Case{with("  .019", "  .010"), "a:28: time 3 is 0.01 s (not after the one before it)"},
+             Case{with("  .019", "  .009"), "a:28: time 3 is 0.009 s (not after the one before it)"},
              Case{with("  .019", "  .0x9"), "a:28: number 5 is '.0x9' (no finite number)"},
              Case{with("  .030", " 9.030"), "a:11: 4 points of 3.01 s do not make the 0.03 s"},
          }) {
