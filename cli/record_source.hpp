@@ -51,8 +51,7 @@ struct RecordMotionOptions {
 
 /// How a positional record argument describes itself in help texts.
 inline constexpr const char* kRecordArgument =
-    "Record file of any format in docs/user/record_formats.md (PEER, CSMIP, COSMOS, SMC, K-NET, ESM, SAC, miniSEED, text, ...), or "
-    "`synthetic` for "
-    "the built-in one";
+    "Record file of any format in docs/user/record_formats.md (PEER, CSMIP, COSMOS, SMC, K-NET, JMA, ESM, SAC, miniSEED, DEEPSOIL, text, "
+    "...), also in a .gz or .zip file, or `synthetic` for the built-in one";
 
 }  // namespace musim::cli

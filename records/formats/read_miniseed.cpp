@@ -9,34 +9,15 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/mseed_record.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/station_xml.hpp"
+#include "records/formats/detail/streams.hpp"
 
 namespace musim::records::detail {
 namespace {
-
-/// Where a record of the file stands, and how messages call it.
-struct RecordPlace {
-    const BinaryFile& file;
-    std::size_t ordinal;  ///< from 1
-    std::size_t at;       ///< byte of the file
-
-    [[noreturn]] void fail(std::string_view what_why, std::string_view what_to_do) const {
-        file.fail(fmt::format("record {} (byte {}): {}", ordinal, at, what_why), what_to_do);
-    }
-};
 
 /// What a record's own header says of its layout, every offset checked to lie within the record.
 struct RecordLayout {
     std::size_t length = 0;
     std::size_t count = 0;  ///< samples
-};
-
-/// Samples of one stream, all records so far.
-struct Stream {
-    StreamCodes codes;
-    UtcTime first;
-    double rate = 0.0;  ///< [1/s]
-    std::vector<double> counts;
 };
 
 // bytes of a blockette; 0 for types without a fixed length
@@ -144,40 +125,15 @@ void append(const RecordPlace& place, const MSRecord& record, std::vector<double
     }
 }
 
-// samples follow one another within half a step, counted from the first: a clock that drifts further is a gap or overlap too
-void require_next(const RecordPlace& place, const Stream& stream, const MSRecord& record, UtcTime start) {
-    if (record.samprate != stream.rate) {
-        place.fail(fmt::format("sample rate of {} is {} Hz (before: {} Hz)", to_string(stream.codes), record.samprate, stream.rate),
-                   "split the file there");
-    }
-    const double expected = static_cast<double>(stream.counts.size()) / stream.rate;
-    const double elapsed = std::chrono::duration<double>(start - stream.first).count();
-    const double excess = elapsed - expected;
-    if (std::abs(excess) * stream.rate > 0.5) {
-        place.fail(fmt::format("{} of {:.6g} s in {}, {:.6f} s after its first sample (samples must follow one another)",
-                               excess > 0.0 ? "gap" : "overlap", std::abs(excess), to_string(stream.codes), expected),
-                   "cut the record there");
-    }
-}
-
 void add_record(const RecordPlace& place, const MSRecord& record, std::vector<Stream>& streams) {
-    if (!(record.samprate > 0.0) || !std::isfinite(record.samprate)) {
-        place.fail(fmt::format("sample rate is {} Hz (must be positive)", record.samprate), "fetch the record again");
-    }
-    const UtcTime start{std::chrono::microseconds(record.starttime)};
-    const StreamCodes codes{printable(record.network), printable(record.station), printable(record.location), printable(record.channel)};
-    auto stream = std::find_if(streams.begin(), streams.end(), [&](const Stream& candidate) { return candidate.codes == codes; });
-    if (stream == streams.end()) {
-        stream = streams.insert(streams.end(), {codes, start, record.samprate, {}});
-        const StreamCodes& first = streams.front().codes;
-        if (codes.network != first.network || codes.station != first.station) {
-            place.fail(fmt::format("{} follows {} (one station a file)", to_string(codes), to_string(first)), "split the file by stations");
-        }
-    }
-    require_next(place, *stream, record, start);
-    if (record.sampletype == 'i') append<std::int32_t>(place, record, stream->counts);
-    if (record.sampletype == 'f') append<float>(place, record, stream->counts);
-    if (record.sampletype == 'd') append<double>(place, record, stream->counts);
+    const Stream piece{
+        .codes = {printable(record.network), printable(record.station), printable(record.location), printable(record.channel)},
+        .first = UtcTime(std::chrono::microseconds(record.starttime)),
+        .rate = record.samprate};
+    Stream& stream = continue_stream(streams, piece, place.fails());
+    if (record.sampletype == 'i') append<std::int32_t>(place, record, stream.samples);
+    if (record.sampletype == 'f') append<float>(place, record, stream.samples);
+    if (record.sampletype == 'd') append<double>(place, record, stream.samples);
 }
 
 std::vector<Stream> read_streams(const BinaryFile& file) {
@@ -193,95 +149,11 @@ std::vector<Stream> read_streams(const BinaryFile& file) {
     return streams;
 }
 
-// the second letter of a channel code: N accelerometer, H and L high and low gain seismometer
-std::optional<SampleQuantity> quantity_of(std::string_view channel) {
-    if (channel.size() < 2) return std::nullopt;
-    if (channel[1] == 'N') return SampleQuantity::acceleration;
-    if (channel[1] == 'H' || channel[1] == 'L') return SampleQuantity::velocity;
-    return std::nullopt;
-}
-
-StreamResponse response_from_number(const BinaryFile& file, const ReadOptions& options, const StreamCodes& codes) {
-    const double sensitivity = *options.sensitivity;
-    if (sensitivity == 0.0 || !std::isfinite(sensitivity)) {
-        file.fail(fmt::format("sensitivity is {} counts per SI unit (must be a number, not 0)", sensitivity),
-                  Remedy{"correct ", Setting::sensitivity});
-    }
-    const std::optional<SampleQuantity> given = quantity_of(codes.channel);
-    if (!given && !options.quantity) {
-        file.fail(
-            fmt::format("channel code {} does not say what is measured (known from N, H or L)", quoted(std::string_view(codes.channel))),
-            Remedy{"give ", Setting::quantity});
-    }
-    return {.quantity = given ? *given : *options.quantity, .sensitivity = sensitivity};
-}
-
-StreamResponse find_response(const BinaryFile& file, const ReadOptions& options, const Stream& stream) {
-    if (options.sensitivity) return response_from_number(file, options, stream.codes);
-    const std::chrono::duration<double> length(static_cast<double>(stream.counts.size() - 1) / stream.rate);
-    if (!(length < std::chrono::years(1000)))
-        file.fail(fmt::format("{} lasts {} s (sample rate is damaged)", to_string(stream.codes), length.count()), "fetch the record again");
-    const UtcTime last = stream.first + std::chrono::duration_cast<std::chrono::microseconds>(length);
-    return read_stream_response(*options.station_xml, stream.codes, stream.first, last);
-}
-
-void check_options(const BinaryFile& file, const ReadOptions& options) {
-    if (options.sensitivity && options.station_xml) {
-        file.fail("sensitivity and StationXML are both given (they may differ)",
-                  Remedy{"drop ", Setting::sensitivity, " or ", Setting::station_response});
-    }
-    if (!options.sensitivity && !options.station_xml) {
-        file.fail(
-            "sensitivity is not given (miniSEED holds counts)",
-            Remedy{"give ", Setting::station_response, ", or ", Setting::sensitivity, " in counts per m/s^2 (1 if the samples are SI)"});
-    }
-    if (options.unit)
-        file.fail(fmt::format("unit {} is asked for (miniSEED holds counts)", *options.unit),
-                  Remedy{"drop ", Setting::unit, " (the sensitivity gives it)"});
-}
-
-// channel codes, with the location where a code occurs twice
-std::string component_name(const Stream& stream, std::span<const Stream> streams) {
-    const auto same =
-        std::count_if(streams.begin(), streams.end(), [&](const Stream& other) { return other.codes.channel == stream.codes.channel; });
-    return same > 1 ? stream.codes.location + '.' + stream.codes.channel : stream.codes.channel;
-}
-
 }  // namespace
 
 GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options) {
-    check_options(file, options);
-    std::vector<Stream> streams = read_streams(file);
-
-    GroundMotion motion{.source = file.path().string(), .format = "miniSEED"};
-    const auto earliest =
-        std::min_element(streams.begin(), streams.end(), [](const Stream& a, const Stream& b) { return a.first < b.first; });
-    // what has no clock counts from 1970, as the writer does
-    const UtcTime zero = is_clockless(earliest->first) ? UtcTime{} : earliest->first;
-    if (zero != UtcTime{}) motion.time_zero = zero;
-    motion.station = streams.front().codes.network + '.' + streams.front().codes.station;
-    std::string sensitivities;
-    for (Stream& stream : streams) {
-        const StreamResponse response = find_response(file, options, stream);
-        const scaling::Time dt = 1.0 / stream.rate * scaling::si::seconds;
-        refuse_contradictions(file, {.dt = options.dt, .quantity = options.quantity}, *find_sample_unit(si_unit_name(response.quantity)),
-                              dt);
-
-        for (double& count : stream.counts) {
-            count /= response.sensitivity;
-            if (!std::isfinite(count))
-                file.fail(fmt::format("a sample of {} overflows (sensitivity {})", to_string(stream.codes), response.sensitivity),
-                          "correct the sensitivity");
-        }
-        const double start = std::chrono::duration<double>(stream.first - zero).count();
-        sensitivities += fmt::format(", {} {} counts per {}", stream.codes.channel, response.sensitivity, si_unit_name(response.quantity));
-        motion.components.push_back({.name = component_name(stream, streams),
-                                     .azimuth_deg = response.azimuth_deg,
-                                     .series = {response.quantity, start * scaling::si::seconds, dt, std::move(stream.counts)}});
-    }
-    motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
-    motion.history.push_back(fmt::format("read miniSEED from {}{}", file.path().filename().string(), sensitivities));
-    return motion;
+    check_count_options(file, options, "miniSEED", true);
+    return make_motion(file, "miniSEED", read_streams(file), options);
 }
 
 }  // namespace musim::records::detail

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "records/detail/text.hpp"
+#include "records/formats/detail/packed_file.hpp"
 #include "records/formats/detail/parsers.hpp"
 
 namespace musim::records {
@@ -29,10 +30,12 @@ bool looks_like_sac(std::string_view bytes) {
 struct BinaryFormat {
     bool (*matches)(std::string_view bytes);
     GroundMotion (*parse)(const detail::BinaryFile&, const ReadOptions&);
+    bool holds_counts = false;  ///< which a sensitivity turns into motion
 };
 
 constexpr BinaryFormat kBinaryFormats[] = {
-    {detail::is_miniseed_header, detail::parse_miniseed},
+    {detail::is_miniseed_header, detail::parse_miniseed, true},
+    {detail::is_miniseed3_header, detail::parse_miniseed3, true},
     {looks_like_sac, detail::parse_sac},
 };
 
@@ -86,7 +89,12 @@ bool looks_like_geonet(const TextFile& file) {
 
 bool looks_like_afad(const TextFile& file) { return file.line(0).starts_with("STRONG GROUND MOTION RECORDS OF TURKIYE"); }
 
-bool looks_like_unam(const TextFile& file) { return contains_ignoring_case(file.line(1), "INSTITUTO DE INGENIERIA"); }
+bool looks_like_asa(const TextFile& file) {
+    constexpr std::size_t kLetterhead = 12;  // lines of the institute's name and address; met: 2 to 7
+    for (std::size_t index = 0; index < kLetterhead; ++index)
+        if (find_ignoring_case(file.line(index), "ARCHIVO ESTANDAR DE ACELERACION") == 0) return true;
+    return contains_ignoring_case(file.line(1), "INSTITUTO DE INGENIERIA");
+}
 
 bool looks_like_cwa(const TextFile& file) { return file.line(0).starts_with("#Earthquake Information"); }
 
@@ -120,27 +128,49 @@ bool looks_like_knet(const TextFile& file) {
 struct TextFormat {
     bool (*matches)(const TextFile&);
     GroundMotion (*parse)(const TextFile&, const ReadOptions&);
+    bool holds_counts = false;  ///< which a sensitivity turns into motion
 };
 
+// GeoNet's title begins like CSMIP's; columns of numbers alone are looked at last
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_esm, detail::parse_esm},         {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
-    {looks_like_afad, detail::parse_afad},       {looks_like_unam, detail::parse_unam},     {looks_like_cwa, detail::parse_cwa},
-    {detail::looks_like_bbp, detail::parse_bbp}, {looks_like_knet, detail::parse_knet},     {looks_like_cosmos, detail::parse_cosmos},
-    {looks_like_bhrc, detail::parse_bhrc},       {looks_like_usc, detail::parse_usc},       {looks_like_csmip, detail::parse_csmip},
-    {looks_like_smc, detail::parse_smc},         {looks_like_peer, detail::parse_at2},
+    {looks_like_esm, detail::parse_esm},
+    {looks_like_geonet, detail::parse_geonet},
+    {looks_like_afad, detail::parse_afad},
+    {looks_like_asa, detail::parse_asa},
+    {looks_like_cwa, detail::parse_cwa},
+    {detail::looks_like_bbp, detail::parse_bbp},
+    {looks_like_knet, detail::parse_knet},
+    {detail::looks_like_jma, detail::parse_jma},
+    {detail::looks_like_slist, detail::parse_slist, true},
+    {looks_like_cosmos, detail::parse_cosmos},
+    {looks_like_bhrc, detail::parse_bhrc},
+    {looks_like_usc, detail::parse_usc},
+    {looks_like_csmip, detail::parse_csmip},
+    {looks_like_smc, detail::parse_smc},
+    {detail::looks_like_csmnc, detail::parse_csmnc},
+    {looks_like_peer, detail::parse_at2},
+    {detail::looks_like_deepsoil, detail::parse_deepsoil},
+    {detail::looks_like_shake, detail::parse_shake},
 };
 
 }  // namespace
 
-GroundMotion detail::parse_record(const std::filesystem::path& path, std::string bytes, const ReadOptions& options) {
-    if (!detail::is_miniseed_header(bytes)) refuse_sensitivity(path, options);
-    for (const BinaryFormat& format : kBinaryFormats)
-        if (format.matches(bytes)) return format.parse(detail::BinaryFile(path, std::move(bytes)), options);
+GroundMotion detail::parse_record(const std::filesystem::path& packed_path, std::string packed_bytes, const ReadOptions& options) {
+    auto [path, bytes] = detail::unpack({packed_path, std::move(packed_bytes)});
+    for (const BinaryFormat& format : kBinaryFormats) {
+        if (!format.matches(bytes)) continue;
+        if (!format.holds_counts) refuse_sensitivity(path, options);
+        return format.parse(detail::BinaryFile(path, std::move(bytes)), options);
+    }
     refuse_binary(path, bytes);
     const TextFile file(path, std::move(bytes));
     refuse_unsupported(file);
-    for (const TextFormat& format : kTextFormats)
-        if (format.matches(file)) return format.parse(file, options);
+    for (const TextFormat& format : kTextFormats) {
+        if (!format.matches(file)) continue;
+        if (!format.holds_counts) refuse_sensitivity(path, options);
+        return format.parse(file, options);
+    }
+    refuse_sensitivity(path, options);
     return detail::parse_text(file, options);
 }
 

@@ -12,14 +12,15 @@ namespace musim::records {
 struct ReadOptions {
     std::optional<scaling::Time> dt = {};  ///< time step of files without one
     std::optional<std::string> unit = {};  ///< unit of samples of files without one, e.g. "g", "cm/s^2"; default m/s^2, m/s or m
-    /// quantity of files without one (default acceleration); of CSMIP V2: which block to take
+    /// quantity of files without one (default acceleration), which channel codes of miniSEED only suggest; of CSMIP V2: which block to take
     std::optional<SampleQuantity> quantity = {};
-    std::optional<double> sensitivity = {};                 ///< of miniSEED [counts per m/s^2, m/s or m]; 1: samples are SI
+    std::optional<double> sensitivity = {};                 ///< of miniSEED, SLIST, TSPAIR [counts per m/s^2, m/s or m]; 1: SI
     std::optional<std::filesystem::path> station_xml = {};  ///< StationXML file that gives the sensitivity of miniSEED
 };
 
 /// Reads a record; its content, not its name, decides the format: PEER AT2/VT2/DT2, CSMIP/CGS V1 and V2, COSMOS, USGS SMC, K-NET and
-/// KiK-net, ESM, GeoNet, AFAD, UNAM, CWA, USC, RENADIC, BHRC, SCEC BBP, SAC, miniSEED, musim CSV, plain text columns.
+/// KiK-net, JMA, ESM, GeoNet, AFAD, ASA 2.0, CWA, CSMNC, USC, RENADIC, BHRC, SCEC BBP, SAC, miniSEED 2 and 3, SLIST, TSPAIR, DEEPSOIL,
+/// SHAKE's columns, musim CSV, plain text columns; or one of them packed in a .gz or .zip file.
 ///
 /// Samples come back in SI, g = 9.80665 m/s². Nothing is filtered, shifted or padded. Of several quantities in a file options.quantity
 /// chooses one (default acceleration). Uncorrected records get an integration corner. How a text was read stands in the history.

@@ -7,6 +7,7 @@
 #include "records/atomic_file.hpp"
 #include "records/detail/text.hpp"
 #include "records/formats/detail/mseed_record.hpp"
+#include "records/formats/detail/streams.hpp"
 #include "records/formats/write_record.hpp"
 #include "records/headers/own_titles.hpp"
 

@@ -26,13 +26,11 @@ std::string read_bytes(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(status)) fail_file(path, "is a folder (a record file is needed)", "name a file in it");
     if (!std::filesystem::is_regular_file(status)) fail_file(path, "is not a regular file (device or pipe)", "copy it to a file first");
 
-    // an hour of three components at 1000 Hz, 25 letters a value, is 0.27 GB
-    constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 30U;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error && size > kLargest) {
+    if (!error && size > kLargestFileBytes) {
         fail_file(path,
                   fmt::format("file has {:.3g} GB (more than {:.3g} GB is no record)", 1e-9 * static_cast<double>(size),
-                              1e-9 * static_cast<double>(kLargest)),
+                              1e-9 * static_cast<double>(kLargestFileBytes)),
                   "cut it into shorter records");
     }
     errno = 0;

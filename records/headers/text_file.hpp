@@ -31,7 +31,10 @@ class InputFile {
     std::filesystem::path path_;
 };
 
-/// Bytes of a regular file. Throws ReadError when it is missing, a folder or device, unreadable or empty.
+/// Bytes of the largest file that is read, packed or unpacked: an hour of three components at 1000 Hz, 25 letters a value, is 0.27 GB.
+inline constexpr std::size_t kLargestFileBytes = std::size_t{1} << 30U;
+
+/// Bytes of a regular file. Throws ReadError when it is missing, a folder or device, unreadable, empty or larger than kLargestFileBytes.
 std::string read_bytes(const std::filesystem::path& path);
 
 /// A text file as lines, and the way readers complain about them.

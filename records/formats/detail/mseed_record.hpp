@@ -16,9 +16,6 @@ struct FreeMseedRecord {
 };
 using MseedRecord = std::unique_ptr<MSRecord, FreeMseedRecord>;
 
-/// True for an instant that stands for a start on an unknown clock: the writer counts it from 1970, when nobody recorded miniSEED.
-inline bool is_clockless(UtcTime first) { return std::chrono::abs(first.time_since_epoch()) < std::chrono::days(1); }
-
 /// From here on libmseed's complaints are kept, not printed; those of this thread so far are forgotten.
 void catch_mseed_complaints();
 

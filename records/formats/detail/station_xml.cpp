@@ -69,10 +69,6 @@ pugi::xml_node find_epoch(const BinaryFile& file, const pugi::xml_node& root, co
 
 }  // namespace
 
-std::string to_string(const StreamCodes& codes) {
-    return fmt::format("{}.{}.{}.{}", codes.network, codes.station, codes.location, codes.channel);
-}
-
 StreamResponse read_stream_response(const std::filesystem::path& path, const StreamCodes& codes, UtcTime first, UtcTime last) {
     const BinaryFile file(path, read_bytes(path));
     pugi::xml_document document;

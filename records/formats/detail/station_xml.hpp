@@ -2,25 +2,10 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
-#include "records/sample_unit.hpp"
-#include "records/utc_time.hpp"
+#include "records/formats/detail/streams.hpp"
 
 namespace musim::records::detail {
-
-/// A data stream by its SEED codes.
-struct StreamCodes {
-    std::string network = {};
-    std::string station = {};
-    std::string location = {};  ///< often empty
-    std::string channel = {};
-
-    friend bool operator==(const StreamCodes&, const StreamCodes&) = default;
-};
-
-/// "CI.CLC..HNE"
-std::string to_string(const StreamCodes& codes);
 
 /// What a StationXML file says of a stream at a time.
 struct StreamResponse {

@@ -79,9 +79,10 @@ TEST_CASE("a damaged PEER file or CSV is a record or a ReadError, never a crash"
 }
 
 TEST_CASE("every reader of text refuses a file without a letter, though nobody asked it what the file looks like") {
-    for (const auto parse : {detail::parse_afad, detail::parse_at2, detail::parse_bbp, detail::parse_bhrc, detail::parse_cosmos,
-                             detail::parse_csmip, detail::parse_cwa, detail::parse_esm, detail::parse_geonet, detail::parse_knet,
-                             detail::parse_smc, detail::parse_text, detail::parse_unam, detail::parse_usc}) {
+    for (const auto parse : {detail::parse_afad, detail::parse_asa, detail::parse_at2, detail::parse_bbp, detail::parse_bhrc,
+                             detail::parse_cosmos, detail::parse_csmip, detail::parse_csmnc, detail::parse_cwa, detail::parse_deepsoil,
+                             detail::parse_esm, detail::parse_geonet, detail::parse_jma, detail::parse_knet, detail::parse_shake,
+                             detail::parse_slist, detail::parse_smc, detail::parse_text, detail::parse_usc}) {
         for (const std::string_view content : {"", "\n", " \n \n"})
             CHECK_THROWS_AS(parse(detail::TextFile("blank", std::string(content)), {}), ReadError);
     }
@@ -107,6 +108,19 @@ TEST_CASE("damaged real records are records or ReadErrors, never a crash") {
         CAPTURE(file);
         damage(tests::bytes_of(tests::shared_records() / file), 40, 3);
     }
+}
+
+TEST_CASE("damaged records of formats that few networks write are records or ReadErrors, never a crash") {
+    const std::filesystem::path cases = tests::shared_records() / ".." / "cases" / "records";
+    if (!std::filesystem::is_directory(cases)) {
+        MESSAGE("skipped: there are no cases in ../shared/cases/records");
+        return;
+    }
+    const scaling::Time step = 0.005 * scaling::si::seconds;
+    damage(tests::bytes_of(cases / "csmnc_china.dat"), 60, 7);
+    damage(tests::bytes_of(cases / "deepsoil.txt"), 60, 8);
+    damage(tests::bytes_of(cases / "shake_8f9.txt"), 60, 9, {.dt = step});
+    damage(tests::bytes_of(cases / "miniseed3.mseed3"), 60, 10, {.sensitivity = 1.0});
 }
 
 TEST_CASE("damaged binary records are records or ReadErrors, never a crash") {

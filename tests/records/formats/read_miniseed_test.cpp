@@ -82,7 +82,7 @@ TEST_CASE("a channel code that occurs at two locations is distinguished by them"
     CHECK(read_record(path, {.sensitivity = 1.0}).component_names() == "00.HNE, 10.HNE");
 }
 
-TEST_CASE("the instrument letter gives the quantity, and an option may not contradict it") {
+TEST_CASE("the instrument letter suggests the quantity, and an option decides it but for counts of an accelerometer") {
     const tests::TemporaryFolder folder;
     const auto velocity = folder.write("a", make_record("HHE", 0, {1}));
     const auto unknown = folder.write("b", make_record("HYE", 0, {1}));
@@ -91,8 +91,18 @@ TEST_CASE("the instrument letter gives the quantity, and an option may not contr
     };
 
     CHECK(read_record(velocity, {.sensitivity = 1.0}).components.front().series.quantity() == SampleQuantity::velocity);
-    CHECK(message(velocity, {.quantity = SampleQuantity::acceleration, .sensitivity = 1.0}).find("a: file holds velocity") !=
-          std::string::npos);
+    // a response was removed, or an accelerometer has a seismometer's code, as HL in Taiwan
+    for (const double sensitivity : {1.0, 400.0}) {
+        const Component component =
+            read_record(velocity, {.quantity = SampleQuantity::acceleration, .sensitivity = sensitivity}).components.front();
+        CHECK(component.series.quantity() == SampleQuantity::acceleration);
+        CHECK(component.series.samples()[0] == 1.0 / sensitivity);
+    }
+    const auto accelerometer = folder.write("c", make_record("HNE", 0, {1}));
+    CHECK(message(accelerometer, {.quantity = SampleQuantity::velocity, .sensitivity = 400.0})
+              .find("c: channel HNE is an accelerometer's (asked for: velocity in counts)") != std::string::npos);
+    CHECK(read_record(accelerometer, {.quantity = SampleQuantity::velocity, .sensitivity = 1.0}).components.front().series.quantity() ==
+          SampleQuantity::velocity);
     CHECK(message(unknown, {.sensitivity = 1.0}).find("b: channel code 'HYE' does not say what is measured") != std::string::npos);
     CHECK(read_record(unknown, {.quantity = SampleQuantity::displacement, .sensitivity = 1.0}).components.front().series.quantity() ==
           SampleQuantity::displacement);
@@ -114,7 +124,7 @@ TEST_CASE("counts without a sensitivity, and options that contradict, are refuse
     CHECK(message({.sensitivity = 1e-320}).find("a: a sample of XX.ABC..HNE overflows") != std::string::npos);
     CHECK(tests::message_of<ReadError>([&] {
               read_record(text, {.dt = 1.0 * scaling::si::seconds, .sensitivity = 2.0});
-          }).find("b: sensitivity is given (only miniSEED holds counts)") != std::string::npos);
+          }).find("b: sensitivity is given (the file holds no counts)") != std::string::npos);
 }
 
 TEST_CASE("every defect of a miniSEED file is reported with its record") {
@@ -161,12 +171,12 @@ TEST_CASE("StationXML gives sensitivity, quantity and direction of the epoch tha
     const auto path = folder.write("a", make_record("HNE", 0, {6}));
     const auto xml =
         folder.write("a.xml", station_xml(epoch(R"(startDate="2000-01-01T00:00:00" endDate="2010-01-01T00:00:00Z")", "7", "m") +
-                                          epoch(R"(startDate="2010-01-01T00:00:00.5")", "2E0", "CM/S")));
+                                          epoch(R"(startDate="2010-01-01T00:00:00.5")", "2E0", "CM/S**2")));
 
     const Component component = read_record(path, {.station_xml = xml}).find_component("HNE");
 
-    CHECK(component.series.quantity() == SampleQuantity::velocity);
-    CHECK(component.series.samples()[0] == relative(0.03, 1e-15));  // 2 counts per cm/s
+    CHECK(component.series.quantity() == SampleQuantity::acceleration);
+    CHECK(component.series.samples()[0] == relative(0.03, 1e-15));  // 2 counts per cm/s²
     CHECK(component.azimuth_deg == 90.0);
 }
 
@@ -194,6 +204,8 @@ TEST_CASE("StationXML that does not give the sensitivity is refused by its name"
              Case{station_xml(epoch(kAlways, "0", "m/s**2")), "a.xml: sensitivity of XX.ABC..HNE is '0'"},
              Case{station_xml(epoch(kAlways, "2", "Pa")), "a.xml: XX.ABC..HNE senses 'Pa'"},
              Case{station_xml(epoch(kAlways, "2", "m/s**2", "V")), "a.xml: XX.ABC..HNE gives out 'V' (must be counts)"},
+             Case{station_xml(epoch(kAlways, "2", "m")), "a: XX.ABC..HNE is an accelerometer by its code N (a.xml gives counts per m)"},
+             Case{station_xml(epoch(kAlways, "2", "m/s")), "a: XX.ABC..HNE is an accelerometer by its code N (a.xml gives counts per m/s)"},
          }) {
         const auto xml = folder.write("a.xml", row.content);
         const std::string message = tests::message_of<ReadError>([&] { read_record(path, {.station_xml = xml}); });
