@@ -61,30 +61,42 @@ std::optional<PointedRow> find_pointed_row(std::string_view line) {
 /// Lines of numbers in columns below a header of any text.
 struct ColumnLayout {
     std::size_t first = 0;  ///< line
-    std::size_t end = 0;    ///< line behind the last
+    std::size_t end = 0;    ///< line behind the last that is not empty
     PointedRow row;
     std::optional<FixedColumns> stated = {};  ///< Fortran format of the header
 };
+
+// a row that one of the next lines continues: damage of a line between them must not make a header of the first
+std::optional<PointedRow> find_first_row(const TextFile& file, std::size_t index) {
+    constexpr std::size_t kNext = 3;  // lines
+    const std::optional<PointedRow> row = find_pointed_row(file.line(index));
+    if (!row || row->count < 2) return std::nullopt;
+    for (std::size_t next = index + 1; next <= index + kNext; ++next) {
+        const std::optional<PointedRow> below = find_pointed_row(file.line(next));
+        if (below && below->count > 1 && below->continues(*row)) return row;
+    }
+    return std::nullopt;
+}
 
 // columns that blanks alone would not part (numbers touch), or would part wrongly (an index behind them), or that a header describes
 std::optional<ColumnLayout> find_layout(const TextFile& file) {
     constexpr std::size_t kLongestHeader = 30;  // lines
     ColumnLayout layout;
+    std::optional<PointedRow> first;
     for (; layout.first < std::min(file.size(), kLongestHeader); ++layout.first) {
-        const auto row = find_pointed_row(file.line(layout.first));
-        const auto next = find_pointed_row(file.line(layout.first + 1));
-        if (row && next && row->count > 1 && next->continues(*row)) break;
+        first = find_first_row(file, layout.first);
+        if (first) break;
         if (!layout.stated) layout.stated = find_columns(file.line(layout.first));
     }
-    const std::optional<PointedRow> first = find_pointed_row(file.line(layout.first));
-    if (layout.first == std::min(file.size(), kLongestHeader) || !first) return std::nullopt;
+    if (!first) return std::nullopt;
 
     layout.row = *first;
     bool touches = false;
-    for (layout.end = layout.first; layout.end < file.size(); ++layout.end) {
-        const std::optional<PointedRow> row = find_pointed_row(file.line(layout.end));
-        if (!row) break;
-        touches = touches || row->touches;
+    for (std::size_t index = layout.first; index < file.size(); ++index) {
+        if (trim(file.line(index)).empty()) continue;
+        layout.end = index + 1;
+        const std::optional<PointedRow> row = find_pointed_row(file.line(index));
+        touches = touches || (row && row->touches && row->continues(layout.row));
     }
     // two or three numbers and a whole one behind them may be any table
     constexpr std::size_t kFewestBeforeIndex = 4;
@@ -93,6 +105,21 @@ std::optional<ColumnLayout> find_layout(const TextFile& file) {
                              parse_count(second->index) == *parse_count(layout.row.index) + 1;
     if (!touches && !is_numbered && !layout.stated) return std::nullopt;
     return layout;
+}
+
+// a header line of nothing but numbers, or all but a letter or two, is a damaged row
+void refuse_rows_in_header(const TextFile& file, const ColumnLayout& layout) {
+    constexpr std::ptrdiff_t kMostPoints = 2;
+    constexpr std::ptrdiff_t kMostLetters = 2;
+    for (std::size_t index = 0; index < layout.first; ++index) {
+        const std::string_view line = file.line(index);
+        const auto points = std::count(line.begin(), line.end(), '.');
+        const auto letters =
+            std::count_if(line.begin(), line.end(), [](char letter) { return !is_of_numbers(std::string_view(&letter, 1)); });
+        if (points <= kMostPoints || letters > kMostLetters) continue;
+        file.fail(index, fmt::format("{} does not stand in the columns of line {}", quoted(line), layout.first + 1),
+                  "repair the line or fetch the file again");
+    }
 }
 
 /// What the header says beside its text.
@@ -206,6 +233,7 @@ bool looks_like_shake(const TextFile& file) { return find_layout(file).has_value
 GroundMotion parse_shake(const TextFile& file, const ReadOptions& options) {
     const std::optional<ColumnLayout> layout = find_layout(file);
     if (!layout) file.fail("no lines of numbers in columns", "check the file");
+    refuse_rows_in_header(file, *layout);
     const ShakeHeader header = read_shake_header(file, *layout);
     if (layout->stated && (layout->stated->width != layout->row.width || layout->stated->per_line != layout->row.count)) {
         file.fail(layout->first,
@@ -222,10 +250,7 @@ GroundMotion parse_shake(const TextFile& file, const ReadOptions& options) {
                           dt);
 
     std::vector<double> samples;
-    std::size_t end = layout->end;
-    while (end < file.size() && trim(file.line(end)).empty()) ++end;
-    const std::size_t last = end == file.size() ? layout->end : file.size();  // what is no row among rows is met there
-    for (std::size_t index = layout->first; index < last; ++index) read_shake_row(file, index, *layout, unit.si, samples);
+    for (std::size_t index = layout->first; index < layout->end; ++index) read_shake_row(file, index, *layout, unit.si, samples);
     cut_to_count(file, header, layout->row.count, samples);
 
     GroundMotion motion{.source = file.path().string(), .format = "SHAKE columns"};

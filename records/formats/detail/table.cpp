@@ -20,11 +20,17 @@ struct EvenTimes {
     double step;
 
     double time(std::size_t row) const { return start + static_cast<double>(row) * step; }
+    bool meets(double time_of_row, std::size_t row) const { return std::abs(time_of_row - time(row)) <= kTimeJitter * step; }
     /// The first row whose time is off by more than a clock's jitter.
     std::optional<std::size_t> find_miss(std::span<const double> times) const {
         for (std::size_t row = 0; row < times.size(); ++row)
-            if (!(std::abs(times[row] - time(row)) <= kTimeJitter * step)) return row;
+            if (!meets(times[row], row)) return row;
         return std::nullopt;
+    }
+    std::size_t count_misses(std::span<const double> times) const {
+        std::size_t misses = 0;
+        for (std::size_t row = 0; row < times.size(); ++row) misses += meets(times[row], row) ? 0 : 1;
+        return misses;
     }
 };
 
@@ -121,7 +127,8 @@ double even_time_step(const TextFile& file, std::span<const double> times, std::
     if (!uneven) return to_short_decimal(mean.step);
 
     // one wrong time at an end shifts the mean step of all; the medians show which it is
-    const EvenTimes usual = find_usual_times(times);
+    const EvenTimes median_times = find_usual_times(times);
+    const EvenTimes& usual = median_times.count_misses(times) < mean.count_misses(times) ? median_times : mean;
     const std::size_t row = usual.find_miss(times).value_or(*uneven);
     const bool may_be_counts =
         row == 0 && times[0] == std::floor(times[0]) && std::abs(times[0] - static_cast<double>(times.size())) <= 1.0;

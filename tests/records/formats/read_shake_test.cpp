@@ -86,7 +86,11 @@ TEST_CASE("every defect of columns is reported with its line") {
     check_refused(good.substr(0, 80) + good.substr(81), "a:2: '", step);               // a letter is lost
     check_refused(good.substr(0, 110) + "\n" + good.substr(146), "a:2: '", step);      // the second line is cut
     check_refused(replaced(good, good.substr(100, 9), " 0.0x0000"), "a:2: ' ", step);  // no number
-    check_refused(replaced(numbered, "      2\n", "      3\n"), "", step);
+    check_refused(replaced(numbered, "      2\n", "      3\n"), "a:2: line is numbered 3 (expected: 2; a line is missing or repeated)",
+                  step);
+    check_refused(good.substr(0, 20) + good.substr(21), "a:1: '", step);  // a letter of the first line is lost
+    check_refused(replaced(good, good.substr(10, 9), " 0.0x0000"), "a:1: '", step);
+    check_refused(good + "END\n", "a:4: 'END' does not stand in the columns of line 1", step);
     check_refused("(8F10.6)\n" + good, "a:2: 8 numbers, 9 letters apart (the header's format has 8 of 10 letters)", step);
     check_refused("DT = 0 s\n" + good, "a:1: time step is 0 s (must be positive)", step);
     check_refused("DT = 0.01 s\n" + good, "a: file states its time step 0.01 s (asked for: 0.02 s)", step);
