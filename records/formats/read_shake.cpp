@@ -66,6 +66,24 @@ struct ColumnLayout {
     std::optional<FixedColumns> stated = {};  ///< Fortran format of the header
 };
 
+/// The first numbers of all rows: where they only rise they are times, and the rows a table.
+struct FirstColumn {
+    std::size_t rows = 0;
+    double last = 0.0;
+    bool rises = true;
+
+    void add(std::string_view text) {
+        const double number = parse_real(trim(text)).value_or(last);
+        rises = rises && (rows == 0 || number > last);
+        last = number;
+        ++rows;
+    }
+    bool is_time() const {
+        constexpr std::size_t kFewest = 5;  // rows; no motion rises at every eighth sample for longer
+        return rises && rows >= kFewest;
+    }
+};
+
 // a row that one of the next lines continues: damage of a line between them must not make a header of the first
 std::optional<PointedRow> find_first_row(const TextFile& file, std::size_t index) {
     constexpr std::size_t kNext = 3;  // lines
@@ -92,12 +110,16 @@ std::optional<ColumnLayout> find_layout(const TextFile& file) {
 
     layout.row = *first;
     bool touches = false;
+    FirstColumn first_column;
     for (std::size_t index = layout.first; index < file.size(); ++index) {
         if (trim(file.line(index)).empty()) continue;
         layout.end = index + 1;
         const std::optional<PointedRow> row = find_pointed_row(file.line(index));
-        touches = touches || (row && row->touches && row->continues(layout.row));
+        if (!row || !row->continues(layout.row)) continue;
+        touches = touches || row->touches;
+        first_column.add(file.line(index).substr(0, row->first_point + 1 + row->decimals));
     }
+    if (first_column.is_time()) return std::nullopt;
     // two or three numbers and a whole one behind them may be any table
     constexpr std::size_t kFewestBeforeIndex = 4;
     const std::optional<PointedRow> second = find_pointed_row(file.line(layout.first + 1));

@@ -101,6 +101,8 @@ TEST_CASE("tables that blanks part are left to the reader of text") {
     const tests::TemporaryFolder folder;
     CHECK(read_record(folder.write("a", "0.00 0.10 1\n0.01 0.20 2\n0.02 0.30 3\n")).format == "text");
     CHECK(read_record(folder.write("b", "0.00 -0.10\n0.01 -0.20\n0.02 -0.30\n")).format == "text");
+    // times in columns that touch their values are no samples
+    tests::check_refused("  0.00-0.10\n  0.01-0.20\n  0.02-0.30\n  0.03-0.20\n  0.04-0.10\n", "a:", {.dt = kShakeStep});
 }
 
 }  // namespace
