@@ -28,7 +28,6 @@ struct FieldCommand {
     std::vector<Number> times;  ///< [s]
     std::string limit;          ///< a velocity with its unit
     std::vector<std::string> formats;
-    bool csv = false;            ///< velocities on the image grid, too
     std::vector<Number> window;  ///< of the animation [s]
     std::string film;            ///< "", "png", "mp4", "gif"
     Number rate{25.0};           ///< [1/s]
@@ -80,7 +79,7 @@ Drawn draw_times(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const
     nlohmann::json fields = nlohmann::json::array();
     for (const lsdem::FieldView& view : views) {
         nlohmann::json& field = fields.emplace_back(nlohmann::json{{"time_s", view.image.time}});
-        if (!options.csv) continue;
+        if (!options.look.csv) continue;
         const std::string name = fmt::format("field_{:.6g}s.csv", view.image.time);
         folder.add_text(name, lsdem::make_field_csv(run, view.frame, view.image, camera.side));
         field["grid"] = name;
@@ -192,15 +191,12 @@ void add_field_command(CLI::App& app, Action& action) {
     command->add_option("-o,--out", options->out, "Directory for the pictures or the film")->required()->type_name("OUT");
     CLI::Option* at = command->add_option("--at", options->times, "Times that are drawn beside each other [s] (default: six, evenly)");
     at->type_name("TIME");
-    options->look.add_to(*command);
+    CLI::Option* csv = options->look.add_to(*command);
     command->add_option("--limit", options->limit, "Velocity at which colours end (default: the largest that is seen)")
         ->type_name("VELOCITY");
     CLI::Option* format = command->add_option("--format", options->formats, "Kinds of picture (default: svg and png)")
                               ->delimiter(',')
                               ->check(one_of({"svg", "png", "pdf"}));
-    CLI::Option* csv = command->add_flag("--csv", options->csv,
-                                         "Also the velocities that each picture shows, a line per point of the image grid: "
-                                         "some 14 MB for a picture of 240 columns of a tower");
     CLI::Option* film =
         command->add_option("--film", options->film, "All frames: a picture each (png), or a film alone (mp4, gif), which needs ffmpeg");
     film->check(one_of({"png", "mp4", "gif"}))->excludes(at)->excludes(format)->excludes(csv);

@@ -6,13 +6,16 @@
 
 namespace musim::cli {
 
-void FieldOptions::add_to(CLI::App& command) {
+CLI::Option* FieldOptions::add_to(CLI::App& command) {
     command.add_option("--view", side, "Side on which the camera stands (default: the motion goes from left to right)")
         ->check(one_of({"+x", "-x", "+y", "-y"}));
     command.add_option("--component", component, "Velocity that gives the colour")
         ->capture_default_str()
         ->check(one_of({"right", "up", "speed"}));
     command.add_option("--pixels", pixels, "Columns of the image grid")->capture_default_str()->check(whole_between(8, 4000));
+    return command.add_flag("--csv", csv,
+                            "Also the velocities that each picture shows, a line per point of the image grid: some 14 MB for a picture of "
+                            "240 columns");
 }
 
 lsdem::CameraSettings FieldOptions::camera(int axis) const {

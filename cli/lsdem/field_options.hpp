@@ -7,13 +7,15 @@
 
 namespace musim::cli {
 
-/// How the velocity field is looked at: --view, --component, --pixels.
+/// How the velocity field is looked at: --view, --component, --pixels, --csv.
 struct FieldOptions {
     std::string side;
     std::string component = "right";
     int pixels = 240;
+    bool csv = false;  ///< velocities on the image grid, too
 
-    void add_to(CLI::App& command);
+    /// Adds the options; returns --csv, for commands that make films, too.
+    CLI::Option* add_to(CLI::App& command);
 
     /// `axis`: of the motion, which goes from left to right unless --view says otherwise.
     lsdem::CameraSettings camera(int axis) const;

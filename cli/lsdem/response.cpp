@@ -96,9 +96,11 @@ nlohmann::json add_fields(lsdem::ResultFolder& folder, const lsdem::StoredRun& r
     nlohmann::json list = nlohmann::json::array();
     for (const lsdem::FieldView& view : views) {
         const std::string name = fmt::format("field_{:.6g}s", view.image.time);
-        folder.add_text(name + ".csv", lsdem::make_field_csv(run, view.frame, view.image, camera.side));
         folder.add_text(name + ".svg", lsdem::make_field_svg(run, {view}, picture));
-        list.push_back({{"time_s", view.image.time}, {"picture", name + ".svg"}, {"grid", name + ".csv"}});
+        nlohmann::json& field = list.emplace_back(nlohmann::json{{"time_s", view.image.time}, {"picture", name + ".svg"}});
+        if (!options.look.csv) continue;
+        folder.add_text(name + ".csv", lsdem::make_field_csv(run, view.frame, view.image, camera.side));
+        field["grid"] = name + ".csv";
     }
     return list;
 }

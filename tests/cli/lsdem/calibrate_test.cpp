@@ -83,6 +83,7 @@ TEST_CASE("response reports a run and draws what a camera saw") {
     CHECK(json["fields"].size() == 2);
     CHECK(place.has("pictures/residual.svg"));
     CHECK(place.has("pictures/" + json["fields"][1]["picture"].get<std::string>()));
+    CHECK_FALSE(json["fields"][1].contains("grid"));
     CHECK(place.run("response out").out.find("damage index") != std::string::npos);
 }
 
