@@ -58,9 +58,9 @@ std::string name_apart(std::string svg, const std::string& name) {
 }
 
 /// Rows of a twin that stand in the picture's description; who listens to more reads the table.
-constexpr std::size_t kMostTold = 4;
+constexpr std::size_t kMostGiven = 4;
 
-std::string tell_row(const HtmlTable& twin, std::size_t row) {
+std::string write_row(const HtmlTable& twin, std::size_t row) {
     std::string text = twin.rows[row].front().text;
     for (std::size_t cell = 1; cell < twin.rows[row].size(); ++cell) {
         text += fmt::format("{} {} {}", cell == 1 ? ":" : ",", twin.heads.at(cell), twin.rows[row][cell].text);
@@ -115,9 +115,9 @@ ReportFigure make_figure(const std::string& name, const StackedPlot& plot) {
 
 std::string describe(const ReportFigure& figure) {
     std::string text = figure.twin.caption;
-    const std::size_t rows = figure.twin.rows.size(), told = std::min(rows, kMostTold);
-    for (std::size_t row = 0; row < told; ++row) text += (row == 0 ? ". " : "; ") + tell_row(figure.twin, row);
-    if (rows > told) text += fmt::format("; {} more rows under In numbers", rows - told);
+    const std::size_t rows = figure.twin.rows.size(), given = std::min(rows, kMostGiven);
+    for (std::size_t row = 0; row < given; ++row) text += (row == 0 ? ". " : "; ") + write_row(figure.twin, row);
+    if (rows > given) text += fmt::format("; {} more rows under In numbers", rows - given);
     return text + ".";
 }
 

@@ -108,10 +108,10 @@ AXES = {"front": "x to the right, y away from you, z up", "side": "x toward you,
 
 def check_axes(browser, view):
     """The arrows of the axes go where the camera has them: y across and z up from the side, and so on."""
-    told, arrows = browser.execute_script("""
+    words, arrows = browser.execute_script("""
         const picture = document.querySelector("#tower-axes svg");
         return [picture.getAttribute("aria-label"), ["x", "y", "z"].map(axis => picture.querySelector("path." + axis).getAttribute("d"))];""")
-    check(told == "Axes: " + AXES[view], f"from {view}: {told}")
+    check(words == "Axes: " + AXES[view], f"from {view}: {words}")
     ends = [[float(number) for number in arrow.split("M")[1].split("L")[1].split()] for arrow in arrows]
     right, up = {"front": (0, 2), "side": (1, 2), "top": (0, 1), "corner": (0, 2)}[view]
     check(ends[right][0] > 15 and ends[up][1] < -15, f"from {view}: axes end at {ends}")
