@@ -19,7 +19,7 @@ namespace {
 
 /// Layout [px]: the structure on the left, what there is to say of it on the right, the motion below.
 constexpr double kWidth = 920.0, kMargin = 28.0, kTop = 64.0, kPicture = 470.0, kPanelTop = 600.0, kPanel = 150.0, kHeight = 806.0;
-constexpr double kLegendTop = 550.0, kLegendLine = 18.0, kSwatch = 12.0, kLegendGap = 24.0;
+constexpr double kLegendBase = 550.0, kLegendRow = 18.0, kSwatch = 12.0, kLegendGap = 24.0;
 constexpr double kPictureWidth = 560.0, kTextLeft = 640.0, kPanelLeft = 92.0;
 
 /// Room around the structure for the ruler and the widths [px].
@@ -196,10 +196,10 @@ class Preview {
         const auto marked = std::find_if(bodies_.begin(), bodies_.end(), is_marked);
         if (marked != bodies_.end()) entries.emplace_back(find_swatch(*marked), "spine: blocks whose motion is sampled");
         if (summary_.specimen.model.ground.present) entries.emplace_back(kGroundColor, "ground");
-        double x = kMargin, y = kLegendTop;
+        double x = kMargin, y = kLegendBase;
         for (const auto& [color, text] : entries) {
             const double width = kSwatch + 6.0 + detail::find_text_width(text, detail::kSmallFont);
-            if (x > kMargin && x + width > kWidth - kMargin) x = kMargin, y += kLegendLine;
+            if (x > kMargin && x + width > kWidth - kMargin) x = kMargin, y += kLegendRow;
             svg_ += fmt::format("<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2}\" height=\"{2}\" fill=\"{3}\" stroke=\"#4a4036\"/>\n", x,
                                 y - 10.0, kSwatch, color);
             detail::draw_text(svg_, x + kSwatch + 6.0, y, "start", kGrey, text);
