@@ -25,7 +25,10 @@ std::string name_file_content(const fs::path& path) {
 
 Scene rename_files(Scene scene, const std::function<std::string(const fs::path&)>& name) {
     const auto rename_record = [&](SceneMotion& motion) {
-        if (auto* record = std::get_if<RecordMotion>(&motion.source)) record->file = name(record->file);
+        auto* const record = std::get_if<RecordMotion>(&motion.source);
+        if (record == nullptr) return;
+        record->file = name(record->file);
+        if (record->station_xml) record->station_xml = name(*record->station_xml);
     };
     rename_record(scene.base_motion);
     for (auto& entry : scene.motions) rename_record(entry.base_motion);

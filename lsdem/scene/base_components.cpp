@@ -117,10 +117,14 @@ scaling::Time find_time_origin(const RecordMotion& motion, const records::Ground
     return earliest.value_or(scaling::Time{});
 }
 
-/// Reads the record of a scene, whose keys are the remedies of what is wrong with it; counts have no key.
+/// Reads the record of a scene, whose keys are the remedies of what is wrong with it.
 records::GroundMotion read_scene_record(const RecordMotion& motion) {
     try {
-        return records::read_record(motion.file, {.dt = motion.dt, .unit = motion.unit, .quantity = motion.quantity});
+        return records::read_record(motion.file, {.dt = motion.dt,
+                                                  .unit = motion.unit,
+                                                  .quantity = motion.quantity,
+                                                  .sensitivity = motion.sensitivity,
+                                                  .station_xml = motion.station_xml});
     } catch (const records::ReadError& error) {
         throw records::ReadError(error.worded(scene_key));
     }

@@ -112,9 +112,10 @@ void shorten_names(ordered_json& root, const std::optional<fs::path>& folder) {
     }
     if (!root.contains("base_motion") || !root["base_motion"].is_object() || !root["base_motion"].contains("record")) return;
     ordered_json& motion = root["base_motion"];
-    if (folder) {
-        const fs::path near = fs::path(motion["record"].get<std::string>()).lexically_relative(fs::absolute(*folder).lexically_normal());
-        if (!near.empty() && *near.begin() != "..") motion["record"] = near.string();
+    for (const char* file : {"record", "station_xml"}) {
+        if (!folder || !motion.contains(file)) continue;
+        const fs::path near = fs::path(motion[file].get<std::string>()).lexically_relative(fs::absolute(*folder).lexically_normal());
+        if (!near.empty() && *near.begin() != "..") motion[file] = near.string();
     }
     if (!motion.contains("scale")) return;
     for (const char* factor : {"length", "friction"}) {

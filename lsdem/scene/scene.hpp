@@ -129,6 +129,8 @@ struct RecordMotion {
     std::optional<std::string> unit;                       ///< of plain text files
     std::optional<records::SampleQuantity> quantity;       ///< of plain text files
     std::optional<scaling::Time> dt;                       ///< of files without one
+    std::optional<double> sensitivity;                     ///< of files of counts [counts per m/s^2, m/s or m]
+    std::optional<std::filesystem::path> station_xml;      ///< of files of counts: StationXML file that gives it; absolute path
     std::optional<std::array<scaling::Time, 2>> window;    ///< part to use, in the record's own time; it starts at t = 0
     std::optional<scaling::Frequency> highpass_corner;     ///< default: what the record itself asks for
     std::optional<RecordScale> scale;

@@ -10,6 +10,10 @@ std::string_view scene_key(Setting setting) {
             return "\"unit\"";
         case Setting::quantity:
             return "\"quantity\"";
+        case Setting::sensitivity:
+            return "\"sensitivity\"";
+        case Setting::station_response:
+            return "\"station_xml\"";
         case Setting::columns:
             return "\"columns\"";
         case Setting::skipped_lines:

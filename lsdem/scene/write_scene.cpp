@@ -138,6 +138,7 @@ class SceneWriter {
             if (motion.components[axis]) object["components"][kAxes[axis]] = *motion.components[axis];
         }
         object = write_part(motion, object);
+        if (motion.station_xml) object["station_xml"] = motion.station_xml->string();
         if (motion.scale) {
             auto [law, set] = *motion.scale;
             ordered_json& scale = object["scale"] = {{"law", law}};

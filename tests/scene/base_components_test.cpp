@@ -28,6 +28,10 @@ SceneMotion parse_motion(const std::string& text, const std::filesystem::path& o
     return parse_scene(make_scene_text(kColumn, R"(, "base_motion": )" + text), origin).base_motion;
 }
 
+/// Six counts of an accelerometer, 50 a second.
+constexpr const char* kCounts =
+    "TIMESERIES XX_ABC__HNE_D, 6 samples, 50 sps, 2020-02-29T12:00:00.000000, SLIST, INTEGER, Counts\n0 2 -4 4 -2 0\n";
+
 double largest(const std::vector<double>& values) {
     double peak = 0.0;
     for (const double value : values) peak = std::max(peak, std::abs(value));
@@ -72,10 +76,26 @@ TEST_CASE("what a record lacks is asked for by the scene's keys, not by options 
     CHECK(refuse(file, R"(, "unit": "furlong")").ends_with("give one of these as \"unit\""));
     CHECK(refuse(file, R"(, "unit": "g")").starts_with(file));
     CHECK(refuse(file, R"(, "unit": "g")").ends_with("give \"dt\""));
-    if (!tests::have_shared_records()) return;
-    const std::string counts = refuse((tests::shared_records() / "mseed" / "CI.CLC..HNE.mseed").string(), "");
-    CHECK(counts.find("(miniSEED holds counts); give the station's StationXML, or the sensitivity in counts") != std::string::npos);
-    CHECK(counts.find("--sensitivity") == std::string::npos);
+    const std::string counts = refuse(folder.write("counts.txt", kCounts).string(), "");
+    CHECK(counts.find("(SLIST holds counts); give \"station_xml\", or \"sensitivity\" in counts per m/s^2") != std::string::npos);
+}
+
+TEST_CASE("a scene says what counts of its record are worth") {
+    const tests::TemporaryFolder folder;
+    folder.write("counts.txt", kCounts);
+    const SceneMotion motion =
+        parse_motion(R"({"record": "counts.txt", "components": {"x": "HNE"}, "sensitivity": 8})", folder.path() / "a.json");
+    const SceneMotion twice =
+        parse_motion(R"({"record": "counts.txt", "components": {"x": "HNE"}, "sensitivity": 16})", folder.path() / "a.json");
+    const double peak = largest(make_base_components(motion)[0].velocity);
+    CHECK(peak > 0.0);
+    CHECK(largest(make_base_components(twice)[0].velocity) == doctest::Approx(0.5 * peak).epsilon(1e-12));
+
+    // the StationXML file lies beside the scene
+    const SceneMotion named =
+        parse_motion(R"({"record": "counts.txt", "components": {"x": "HNE"}, "station_xml": "no.xml"})", folder.path() / "a.json");
+    CHECK(std::get<RecordMotion>(named.source).station_xml == folder.path() / "no.xml");
+    CHECK_THROWS_WITH_AS(make_base_components(named), doctest::Contains("no.xml"), records::ReadError);
 }
 
 TEST_CASE("a step is one sample that holds from its start") {

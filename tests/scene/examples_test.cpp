@@ -110,10 +110,13 @@ TEST_CASE("a record below the folder of a readable scene is named as seen from t
     RecordMotion record;
     record.file = "/lab/scenes/records/a.v1";
     record.components[0] = "360";
+    record.sensitivity = 214000.0;
+    record.station_xml = "/lab/scenes/records/a.xml";
     record.scale = find_scale(wanted);
     scene.base_motion.source = record;
     const auto motion_in = [&](const char* folder) { return json::parse(write_readable_scene(scene, {.folder = folder}))["base_motion"]; };
     CHECK(motion_in("/lab/scenes")["record"] == "records/a.v1");
+    CHECK(motion_in("/lab/scenes")["station_xml"] == "records/a.xml");
     CHECK(motion_in("/lab/other")["record"] == "/lab/scenes/records/a.v1");
     CHECK(motion_in("/lab")["scale"]["length"] == "1/107");
     const std::string text = write_readable_scene(scene, {.folder = "/lab"});

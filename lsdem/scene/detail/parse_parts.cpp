@@ -95,6 +95,7 @@ RecordMotion parse_record(const JsonReader& object, const std::filesystem::path&
     const JsonReader components = to_object(object["components"], "components");
     for (std::size_t axis = 0; axis < 3; ++axis) motion.components[axis] = components.find<std::string>(axis_names()[axis]);
     read_fields(object, motion);
+    if (object.has("station_xml")) motion.station_xml = resolve(object.get<std::string>("station_xml"), origin);
     if (object.has("scale")) motion.scale = parse_record_scale(object["scale"], origin);
     return motion;
 }

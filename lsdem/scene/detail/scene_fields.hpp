@@ -107,12 +107,13 @@ inline constexpr auto kFields<Wall> = std::tuple{
     Field{"height_deviation", &Wall::height_deviation, Range::not_negative},
     Field{"seed", &Wall::seed},
 };
-/// Between the record with its components and its scale.
+/// Between the record with its components, and the files of its response and its scale.
 template <>
 inline constexpr auto kFields<RecordMotion> = std::tuple{
     Field{"unit", &RecordMotion::unit},
     Field{"quantity", &RecordMotion::quantity},
     Field{"dt", &RecordMotion::dt, Range::positive},
+    Field{"sensitivity", &RecordMotion::sensitivity, Range::positive},
     Field{"window", &RecordMotion::window},
     Field{"highpass", &RecordMotion::highpass_corner, Range::positive},
 };
