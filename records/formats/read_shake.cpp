@@ -64,6 +64,7 @@ struct ColumnLayout {
     std::size_t end = 0;    ///< line behind the last that is not empty
     PointedRow row;
     std::optional<FixedColumns> stated = {};  ///< Fortran format of the header
+    bool touches = false;                     ///< numbers of some row stand without a blank between them
 };
 
 /// The first numbers of all rows: where they only rise they are times, and the rows a table.
@@ -96,7 +97,7 @@ std::optional<PointedRow> find_first_row(const TextFile& file, std::size_t index
     return std::nullopt;
 }
 
-// columns that blanks alone would not part (numbers touch), or would part wrongly (an index behind them), or that a header describes
+// rows of numbers in even columns, whatever stands above them; nothing where their first numbers are times
 std::optional<ColumnLayout> find_layout(const TextFile& file) {
     constexpr std::size_t kLongestHeader = 30;  // lines
     ColumnLayout layout;
@@ -109,23 +110,16 @@ std::optional<ColumnLayout> find_layout(const TextFile& file) {
     if (!first) return std::nullopt;
 
     layout.row = *first;
-    bool touches = false;
     FirstColumn first_column;
     for (std::size_t index = layout.first; index < file.size(); ++index) {
         if (trim(file.line(index)).empty()) continue;
         layout.end = index + 1;
         const std::optional<PointedRow> row = find_pointed_row(file.line(index));
         if (!row || !row->continues(layout.row)) continue;
-        touches = touches || row->touches;
+        layout.touches = layout.touches || row->touches;
         first_column.add(file.line(index).substr(0, row->first_point + 1 + row->decimals));
     }
     if (first_column.is_time()) return std::nullopt;
-    // two or three numbers and a whole one behind them may be any table
-    constexpr std::size_t kFewestBeforeIndex = 4;
-    const std::optional<PointedRow> second = find_pointed_row(file.line(layout.first + 1));
-    const bool is_numbered = layout.row.count >= kFewestBeforeIndex && !layout.row.index.empty() && second &&
-                             parse_count(second->index) == *parse_count(layout.row.index) + 1;
-    if (!touches && !is_numbered && !layout.stated) return std::nullopt;
     return layout;
 }
 
@@ -165,6 +159,22 @@ std::optional<double> number_behind(std::string_view line, std::string_view labe
     return parse_real(take_token(rest, " \t=:,;"));
 }
 
+// a unit in parentheses, "(cm/s2)", or behind the word: "UNITS OF G", "Units: cm/sec/sec"
+std::optional<SampleUnit> find_shake_unit(std::string_view line) {
+    for (std::size_t open = line.find('('); open != std::string_view::npos; open = line.find('(', open + 1)) {
+        const std::size_t close = line.find(')', open);
+        if (close == std::string_view::npos) break;
+        if (const std::optional<SampleUnit> unit = find_sample_unit(line.substr(open, close - open))) return unit;
+    }
+    constexpr std::string_view kWord = "UNITS";
+    const std::size_t at = find_ignoring_case(line, kWord);
+    std::string_view rest = at == std::string_view::npos ? std::string_view{} : line.substr(at + kWord.size());
+    constexpr int kWords = 3;  // "are", "of", ...
+    for (int i = 0; i < kWords; ++i)
+        if (const std::optional<SampleUnit> unit = find_sample_unit(take_token(rest, " \t:=,"))) return unit;
+    return std::nullopt;
+}
+
 void read_shake_line(const TextFile& file, std::size_t index, ShakeHeader& header) {
     const std::string_view line = file.line(index);
     for (const std::string_view label : {"DT", "DELTA T", "TIME STEP", "TIME INTERVAL", "SAMPLING INTERVAL"}) {
@@ -180,10 +190,7 @@ void read_shake_line(const TextFile& file, std::size_t index, ShakeHeader& heade
         header.count = static_cast<std::size_t>(*count);
         header.count_line = index;
     }
-    for (std::size_t open = line.find('('); open != std::string_view::npos; open = line.find('(', open + 1)) {
-        const std::size_t close = line.find(')', open);
-        if (close != std::string_view::npos && !header.unit) header.unit = find_sample_unit(line.substr(open, close - open));
-    }
+    if (!header.unit) header.unit = find_shake_unit(line);
 
     // "2000 0.005"
     std::string_view rest = line;
@@ -250,7 +257,20 @@ void cut_to_count(const TextFile& file, const ShakeHeader& header, std::size_t p
 
 }  // namespace
 
-bool looks_like_shake(const TextFile& file) { return find_layout(file).has_value(); }
+// columns that blanks alone would not part (numbers touch), or would part wrongly (an index behind them), that a header describes, or
+// SHAKE's own (8F9.6)
+bool looks_like_shake(const TextFile& file) {
+    const std::optional<ColumnLayout> layout = find_layout(file);
+    if (!layout) return false;
+    const PointedRow& row = layout->row;
+    if (layout->touches || layout->stated || (row.count == 8 && row.width == 9 && row.decimals == 6)) return true;
+    // two or three numbers, and a whole one behind them, may be any table
+    constexpr std::size_t kFewestInRow = 4;
+    if (row.count < kFewestInRow) return false;
+    const std::optional<PointedRow> second = find_pointed_row(file.line(layout->first + 1));
+    const bool is_numbered = !row.index.empty() && second && parse_count(second->index) == *parse_count(row.index) + 1;
+    return is_numbered || (layout->first > 0 && read_shake_header(file, *layout).step);
+}
 
 GroundMotion parse_shake(const TextFile& file, const ReadOptions& options) {
     const std::optional<ColumnLayout> layout = find_layout(file);

@@ -39,7 +39,7 @@ ZipArchive open_archive(const BinaryFile& file) {
     ZipError error;
     zip_source_t* const source = zip_source_buffer_create(file.bytes().data(), file.bytes().size(), 0, error.get());
     if (source == nullptr) throw std::bad_alloc();
-    ZipArchive archive(zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, error.get()));
+    ZipArchive archive(zip_open_from_source(source, ZIP_RDONLY, error.get()));
     if (!archive) {
         zip_source_free(source);
         file.fail(fmt::format("is no readable zip file ({}; truncated or damaged)", error.text()), "fetch the record again");

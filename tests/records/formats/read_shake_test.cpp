@@ -47,6 +47,16 @@ TEST_CASE("columns that touch are told apart by their decimal points, in g") {
               .series.samples()[1] == relative(std::round(1e6 * shake_sample(1)) * 1e-8, 1e-12));
 }
 
+TEST_CASE("SHAKE's own columns are in g though blanks part them") {
+    const tests::TemporaryFolder folder;
+    // as Fortran writes a third: .333333, and -.333333 leaves a blank
+    std::string text;
+    for (int i = 0; i < 48; ++i) text += std::string(i % 2 == 0 ? "  .333333" : " -.333333") + (i % 8 == 7 ? "\n" : "");
+    const TimeSeries series = read_record(folder.write("a", text), {.dt = kShakeStep}).components.front().series;
+    REQUIRE(series.size() == 48);
+    CHECK(series.samples()[1] == relative(-0.333333 * 9.80665, 1e-12));
+}
+
 TEST_CASE("numbers of lines behind the columns are no samples") {
     const tests::TemporaryFolder folder;
     check_shake_samples(read_record(folder.write("a", shake_columns(24, 8, "{:9.6f}", true)), {.dt = kShakeStep}), 24, 0.5e-6);
@@ -57,6 +67,10 @@ TEST_CASE("a header of any lines may name the format, the time step, the number 
     const tests::TemporaryFolder folder;
     const std::string columns = shake_columns(21, 5, "{:15.7E}", false);
     const std::string lines = "SOME EARTHQUAKE\nSOME STATION\n";
+    for (const std::string_view header : {"21 0.02\n", "Units of g, dt = 0.02 s\n"})
+        check_shake_samples(read_record(folder.write("a", lines + std::string(header) + columns)), 21, 0.5e-7);
+    CHECK(read_record(folder.write("a", "Units: cm/sec/sec\nTime step: 0.02\n" + columns)).components.front().series.samples()[1] ==
+          relative(0.01 * shake_sample(1), 1e-6));
     for (const std::string_view header : {"21 0.02 (5E15.7)\n", "NO. OF POINTS = 21, DT = 0.02 SEC (5E15.7)\n",
                                           "(5e15.7)\nTime step (s): 0.02\nNumber of values: 21 (g)\n"}) {
         const GroundMotion motion = read_record(folder.write("a", lines + std::string(header) + columns));
