@@ -35,7 +35,7 @@ void check_shake_samples(const GroundMotion& motion, std::size_t count, double d
     for (std::size_t i = 0; i < count; ++i) CHECK(std::abs(series.samples()[i] / 9.80665 - shake_sample(i)) <= digits);
 }
 
-TEST_CASE("columns that touch are told apart by their decimal points, in g") {
+TEST_CASE("columns that touch are distinguished by their decimal points, in g") {
     const tests::TemporaryFolder folder;
     const GroundMotion motion = read_record(folder.write("a", shake_columns(21, 8, "{:9.6f}", false)), {.dt = kShakeStep});
     check_shake_samples(motion, 21, 0.5e-6);
