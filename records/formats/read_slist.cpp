@@ -100,7 +100,47 @@ SeriesHeader read_series_header(const TextFile& file, std::size_t index) {
     return header;
 }
 
-bool begins_series(const TextFile& file, std::size_t index) { return file.line(index).starts_with(kSeriesTitle); }
+// "# SID: XX_ABC__HNE", "# sample_rate_hz: 20", ... from line `index` on, which is left at the line of titles behind them
+SeriesHeader read_geocsv_header(const TextFile& file, std::size_t& index) {
+    const std::size_t first = index;
+    while (file.line(index).starts_with('#')) ++index;
+    const auto find = [&](std::string_view name) -> std::string_view {
+        for (std::size_t line = first; line < index; ++line) {
+            const std::string_view text = trim(file.line(line).substr(1));
+            if (text.starts_with(name) && text.substr(name.size()).starts_with(':')) return trim(text.substr(name.size() + 1));
+        }
+        return {};
+    };
+    const auto require = [&]<class Value>(std::string_view name, const std::optional<Value>& value) {
+        if (!value) file.fail(first, fmt::format("{} is {} (missing or unusable)", name, quoted(find(name))), "correct the header");
+        return *value;
+    };
+    SeriesHeader header{.line = first};
+    header.piece.codes = require("SID", parse_series_name(printable(find("SID"))));
+    header.count = require("sample_count", parse_count(find("sample_count")));
+    header.piece.rate = require("sample_rate_hz", parse_real(find("sample_rate_hz")));
+    header.piece.first = require("start_time", parse_series_time(find("start_time")));
+    const std::vector<std::string_view> units = split_at_commas(find("field_unit"));  // "UTC, Counts" with times
+    header.has_times = units.size() > 1;
+    header.piece.unit = read_series_unit(file, first, units.empty() ? std::string_view{} : units.back());
+
+    // counts with the factor that they are divided by
+    const double factor = parse_real(find("scale_factor")).value_or(0.0);
+    if (!header.piece.unit && factor != 0.0) {
+        header.piece.unit = read_series_unit(file, first, find("scale_units"));
+        if (header.piece.unit) header.piece.unit->si /= factor;
+    }
+    constexpr double kVertical = 90.0;  // [deg]
+    const std::optional<double> dip = parse_real(find("dip_deg"));
+    if (dip && std::abs(*dip) != kVertical) header.piece.azimuth_deg = parse_real(find("azimuth_deg"));
+    return header;
+}
+
+bool is_geocsv(std::string_view line) { return line.starts_with('#') && trim(line.substr(1)).starts_with("dataset: GeoCSV"); }
+
+bool begins_series(const TextFile& file, std::size_t index) {
+    return file.line(index).starts_with(kSeriesTitle) || is_geocsv(file.line(index));
+}
 
 // a time is that of its place in the piece, to half a step
 void check_series_time(const TextFile& file, std::size_t index, const SeriesHeader& header, std::size_t ordinal, std::string_view text) {
@@ -140,7 +180,14 @@ void read_series(const TextFile& file, const SeriesHeader& header, std::size_t& 
 
 }  // namespace
 
-bool looks_like_slist(const TextFile& file) { return begins_series(file, 0); }
+// GeoCSV may hold any table; series have a rate
+bool looks_like_slist(const TextFile& file) {
+    constexpr std::size_t kLongestHeader = 30;  // lines
+    if (!is_geocsv(file.line(0))) return begins_series(file, 0);
+    for (std::size_t index = 0; index < kLongestHeader && file.line(index).starts_with('#'); ++index)
+        if (trim(file.line(index).substr(1)).starts_with("sample_rate_hz:")) return true;
+    return false;
+}
 
 GroundMotion parse_slist(const TextFile& file, const ReadOptions& options) {
     std::vector<Stream> streams;
@@ -152,8 +199,9 @@ GroundMotion parse_slist(const TextFile& file, const ReadOptions& options) {
             continue;
         }
         if (!begins_series(file, index)) file.fail(index, "header of a series is missing (no 'TIMESERIES ...')", "fetch the record again");
-        const SeriesHeader header = read_series_header(file, index);
-        if (header.has_times) format = "TSPAIR";
+        const bool is_csv = is_geocsv(file.line(index));
+        const SeriesHeader header = is_csv ? read_geocsv_header(file, index) : read_series_header(file, index);
+        format = is_csv ? "GeoCSV" : header.has_times ? "TSPAIR" : "SLIST";
         has_counts = has_counts || !header.piece.unit;
         Stream& stream = continue_stream(streams, header.piece, [&](std::string_view what_why, const Remedy& what_to_do) {
             file.fail(header.line, what_why, what_to_do);

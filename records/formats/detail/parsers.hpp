@@ -46,8 +46,8 @@ GroundMotion parse_sac(const BinaryFile& file, const ReadOptions& options);
 /// One component in columns of one width that may touch, (8F9.6) or (5E15.7), with a number behind each line or without, below any header:
 /// the input of SHAKE. In g unless the header or the options say otherwise.
 GroundMotion parse_shake(const TextFile& file, const ReadOptions& options);
-/// SLIST and TSPAIR, the texts that data centres make of miniSEED: series below lines "TIMESERIES XX_ABC__HNE_D, 4000 samples, 200 sps,
-/// ...".
+/// SLIST and TSPAIR, the texts that data centres make of miniSEED: series below lines "TIMESERIES XX_ABC__HNE_D, 4000 samples, ...", or
+/// below those of GeoCSV, "# SID: XX_ABC__HNE" and so on, which may give the sensitivity.
 GroundMotion parse_slist(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
 /// Numbers in columns, and the CSV that write_csv() writes.

@@ -60,7 +60,7 @@ StreamResponse response_from_station_xml(const InputFile& file, const ReadOption
 }
 
 StreamResponse find_response(const InputFile& file, const ReadOptions& options, const Stream& stream) {
-    if (stream.unit) return {.quantity = stream.unit->quantity, .sensitivity = 1.0 / stream.unit->si};
+    if (stream.unit) return {.quantity = stream.unit->quantity, .sensitivity = 1.0 / stream.unit->si, .azimuth_deg = stream.azimuth_deg};
     return options.sensitivity ? response_from_number(file, options, stream.codes) : response_from_station_xml(file, options, stream);
 }
 
@@ -111,7 +111,7 @@ Stream& continue_stream(std::vector<Stream>& streams, const Stream& piece, const
     }
     const auto stream = std::find_if(streams.begin(), streams.end(), [&](const Stream& other) { return other.codes == piece.codes; });
     if (stream == streams.end()) {
-        streams.push_back({piece.codes, piece.first, piece.rate, piece.unit, {}});
+        streams.push_back(piece);
         const StreamCodes& first = streams.front().codes;
         if (piece.codes.network != first.network || piece.codes.station != first.station) {
             fail(fmt::format("{} follows {} (one station a file)", to_string(piece.codes), to_string(first)), "split the file by stations");
@@ -123,7 +123,8 @@ Stream& continue_stream(std::vector<Stream>& streams, const Stream& piece, const
         fail(fmt::format("sample rate of {} is {} Hz (before: {} Hz)", to_string(stream->codes), piece.rate, stream->rate),
              "split the file there");
     }
-    if (piece.unit.has_value() != stream->unit.has_value() || (piece.unit && piece.unit->name != stream->unit->name)) {
+    if (piece.unit.has_value() != stream->unit.has_value() ||
+        (piece.unit && (piece.unit->name != stream->unit->name || piece.unit->si != stream->unit->si))) {
         fail(fmt::format("unit of {} differs from that of its samples before", to_string(stream->codes)), "split the file there");
     }
     const double expected = static_cast<double>(stream->samples.size()) / stream->rate;

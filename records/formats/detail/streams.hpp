@@ -37,6 +37,7 @@ struct Stream {
     double rate = 0.0;                    ///< [1/s]
     std::optional<SampleUnit> unit = {};  ///< of the samples where the file gives it; nothing: counts
     std::vector<double> samples = {};
+    std::optional<double> azimuth_deg = {};  ///< where the file gives it and the unit
 };
 
 /// Ends reading with what is wrong with the piece at hand, why, and what to do; throws ReadError.

@@ -57,6 +57,36 @@ TEST_CASE("counts of TSPAIR are divided by the sensitivity, and a unit in the fi
               .component_names() == "HNE");
 }
 
+TEST_CASE("GeoCSV gives series with the sensitivity in its header") {
+    const tests::TemporaryFolder folder;
+    const std::string header =
+        "# dataset: GeoCSV 2.0\n# delimiter: , \n# SID: XX_ABC_00_HNE\n# sample_count: 2\n# sample_rate_hz: 100\n"
+        "# start_time: 2020-02-29T12:00:00.000000Z\n# azimuth_deg: 90.0\n# dip_deg: 0.0\n# scale_factor: 400.0\n# scale_units: M/S**2\n";
+    const std::string list = header + "# field_unit: Counts\n# field_type: INTEGER\nSample\n100\n-200\n";
+    const std::string pairs = header + "# field_unit: UTC, Counts\n# field_type: datetime, INTEGER\nTime, Sample\n" +
+                              "2020-02-29T12:00:00.000000Z, 100\n2020-02-29T12:00:00.010000Z, -200\n";
+    const std::string second = replaced(replaced(list, "00.000000Z", "00.020000Z"), "100\n-200", "300\n0");
+    for (const std::string& text : {list, pairs}) {
+        const GroundMotion motion = read_record(folder.write("a", text + second));
+        CHECK(motion.format == "GeoCSV");
+        CHECK(motion.time_zero == make_utc_time(2020, 2, 29, 12, 0, 0.0));
+        const Component& component = motion.find_component("HNE");
+        CHECK(component.azimuth_deg == 90.0);
+        REQUIRE(component.series.size() == 4);
+        CHECK(component.series.samples()[1] == relative(-0.5, 1e-15));
+        CHECK(component.series.samples()[2] == relative(0.75, 1e-15));
+    }
+    const std::string counts = replaced(list, "# scale_factor: 400.0\n", "");
+    CHECK(read_record(folder.write("b", counts), {.sensitivity = 100.0}).components.front().series.samples()[1] == -2.0);
+
+    using tests::check_refused;
+    check_refused(counts, "a: sensitivity is not given (GeoCSV holds counts)");
+    check_refused(replaced(list, "sample_count: 2", "sample_count: 3"), "a:15: 2 samples for the 3 of line 1 (file is truncated)");
+    check_refused(replaced(list, "sample_rate_hz: 100", "sample_rate_hz: x"), "a:1: sample_rate_hz is 'x' (missing or unusable)");
+    check_refused(replaced(list, "M/S**2", "PA"), "a:1: unit 'PA' is unknown");
+    check_refused(replaced(pairs, "00.010000Z, -200", "00.030000Z, -200"), "a:15: time is 0.030000 s after the start");
+}
+
 TEST_CASE("every defect of SLIST and TSPAIR is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kSlist, "5 samples", "6 samples"), "a:3: 5 samples for the 6 of line 1 (file is truncated)");
