@@ -41,7 +41,7 @@ class Archive {
     static constexpr bool kPlain = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_enum_v<T>;
 
     void raw(void* data, std::size_t size);
-    /// How many elements follow, each of `least` bytes or more.
+    /// Number of elements that follow, each of `least` bytes or more.
     std::size_t count(std::size_t size, std::size_t least);
 
     template <class T>
@@ -99,7 +99,7 @@ class Archive {
     std::string_view source_;
 };
 
-/// What a file is and which version of its layout it has; another number of the version is another format.
+/// Kind of a file and version of its layout; another number of the version is another format.
 struct ArchiveKind {
     std::array<char, 8> name;
     std::uint32_t version;

@@ -33,7 +33,7 @@ struct Bodies {
     std::size_t size() const { return mass.size(); }
     std::vector<Vector3> positions() const;  ///< of all, at step n [m]
 
-    /// How far two blocks have travelled together, or one against the ground [m].
+    /// Distance that two blocks have travelled together, or one against the ground [m].
     double travel_of(std::uint32_t a, std::uint32_t b) const {
         return b == kGround ? pose[a].step.travel : pose[a].step.travel + pose[b].step.travel;
     }

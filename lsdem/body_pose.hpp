@@ -4,7 +4,7 @@
 
 namespace musim::lsdem {
 
-/// What a block did over the last step, in world axes.
+/// Motion of a block over the last step, in world axes.
 struct BodyStep {
     Quaternion turn = Quaternion::Identity();  ///< from the pose at step n − 1 to that at n
     Vector3 shift = Vector3::Zero();           ///< of the centre [m]

@@ -4,8 +4,8 @@
 
 namespace musim::lsdem {
 
-/// What the kernel's bits may depend on besides its source: compiler and version, processor family, options of the compiler other than
-/// warnings and debugging. Two builds of equal text give equal bits.
+/// Build on which the kernel's bits may depend besides its source: compiler and version, processor family, options of the compiler other
+/// than warnings and debugging. Two builds of equal text give equal bits.
 std::string describe_build();
 
 }  // namespace musim::lsdem

@@ -37,7 +37,7 @@ struct Interface {
 /// smaller; shear damping ratio: the larger.
 Material combine(const Material& a, const Material& b);
 
-/// What a block of material `a` and one of material `b` (nothing: the ground) have together: as Model::pairs has it, else combine().
+/// Joint of a block of material `a` and one of material `b` (nothing: the ground): as Model::pairs has it, else combine().
 Material find_joint(const Model& model, std::size_t a, const std::optional<std::size_t>& b);
 
 /// Interface of what both sides have together. Damping of a whole face, C·A_face = 2ζ·sqrt(m_eff·K·A_face). `effective_mass`

@@ -38,7 +38,7 @@ struct Block {
     bool rotation_locked = false;                     ///< translates only; for wave-speed calibration and rigid-plastic limits
 };
 
-/// How blocks of two materials meet, or blocks of one meet the ground, where it does not follow from the two by combine().
+/// Joint of blocks of two materials, or of one with the ground, where it does not follow from the two by combine().
 struct MaterialPair {
     std::size_t first = 0;              ///< index into Model::materials
     std::optional<std::size_t> second;  ///< another one; nothing: the ground
@@ -49,7 +49,7 @@ struct MaterialPair {
     }
 };
 
-/// What a component of the base's motion was made from; for results, the kernel does not use it.
+/// Source of a component of the base's motion; for results, the kernel does not use it.
 struct MotionSource {
     double peak_acceleration = 0.0;  ///< PGA of the whole record, or of the formula [m/s²]; 0: none, or not known
     bool is_record = false;          ///< else a formula of the scene
@@ -79,19 +79,19 @@ enum class ContactNodes {
     both     ///< those of both blocks, each side with half the stiffness per area
 };
 
-/// How the stiffness of a face is shared among its nodes.
+/// Sharing of a face's stiffness among its nodes.
 enum class StiffnessSharing {
     per_area,    ///< by tributary area: independent of the node density and of how many blocks share a face
     per_contact  ///< each pair of blocks gets the whole face's stiffness, divided by its nodes in contact, as [Harmon23] can be read
 };
 
-/// How boxes meet each other and the ground.
+/// Contact of boxes with each other and with the ground.
 enum class FaceContact {
     overlap,  ///< springs that store half of K_n times the integral of both depths over the overlap: see docs/theory/overlap_contact.md
     nodes     ///< the leader's surface nodes against the follower, as spheres and grids; a reference
 };
 
-/// What the friction of a contact holds at the start; what it presses with follows from the poses alone.
+/// Force that the friction of a contact holds at the start; what it presses with follows from the poses alone.
 struct Preload {
     std::size_t leader = 0;               ///< leads the contact, whichever block is lower
     std::optional<std::size_t> follower;  ///< nothing: the ground
@@ -102,7 +102,7 @@ struct Preload {
     bool operator==(const Preload&) const = default;
 };
 
-/// How a model is computed.
+/// Choices by which a model is computed.
 struct Numerics {
     FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
     ContactNodes contact_nodes = ContactNodes::leader;
@@ -119,7 +119,7 @@ struct Model {
     std::vector<Block> blocks;
     Ground ground;
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
-    /// What friction of blocks that stand already holds; of contacts that are not named nothing. Contacts by nodes don't take it.
+    /// Friction of blocks that stand already; nothing of contacts that are not named. Contacts by nodes don't take it.
     std::vector<Preload> preload;
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base
     /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See

@@ -38,7 +38,7 @@ struct Shape {
     double face_area = 0.0;                       ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
 };
 
-/// How many nodes stand along each edge of a box, ends included.
+/// Numbers of nodes along each edge of a box, ends included.
 struct NodeLattice {
     int nx = 0, ny = 0, nz = 0;
 };

@@ -36,7 +36,7 @@ Eigen::Index find_upright_axis(const Block& block) {
     return axis;
 }
 
-/// How the stiffness of a face is spread: evenly, over its nodes by area, or all of it at the node farthest from the middle, which is the
+/// Spread of the stiffness of a face: evenly, over its nodes by area, or all of it at the node farthest from the middle, which is the
 /// stiffest that StiffnessSharing::per_contact can make of it.
 enum class Spread { even, by_nodes, at_corner };
 

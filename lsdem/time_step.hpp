@@ -12,7 +12,7 @@ namespace musim::lsdem {
 /// mode of the assembly exceeds the largest eigenvalue over single blocks of  2·M⁻¹(K·dt²/4 + C·dt/2),  K and C (6 x 6) those of the
 /// block's two faces across the axis that stands most upright at the start, with everything else held; the factor 2 drops out against the
 /// ground and against fixed blocks. For a chain this is the exact limit; it counts normal and shear springs, rocking and their coupling.
-/// Of blocks that differ in height only (Block::height_offset) the shortest and the tallest are looked at: what lies between is no
+/// Blocks that differ in height only (Block::height_offset) count by the shortest and the tallest: what lies between is no
 /// stiffer by more than (4σ_H/H)²/2, and only where the heights straddle a width.
 /// Frequencies: similitude of the tower, docs/theory/integration.md. Throws std::invalid_argument when the model has no moving block or a
 /// stiffness is not positive.

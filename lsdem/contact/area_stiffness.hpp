@@ -2,8 +2,8 @@
 
 #include "lsdem/types.hpp"
 
-/// What springs over the area of a contact oppose to small motions of its blocks, ∫ bᵀ D b dA: b moves the points at r by a shift and a
-/// turn, D = across · 1 + (along − across) n nᵀ per area, n the normal.
+/// Stiffness that springs over the area of a contact have against small motions of its blocks, ∫ bᵀ D b dA: b moves the points at r by a
+/// shift and a turn, D = across · 1 + (along − across) n nᵀ per area, n the normal.
 namespace musim::lsdem {
 
 /// v × as a matrix.
@@ -18,7 +18,7 @@ inline Matrix3 stiffness_per_area(const Vector3& normal, double along, double ac
     return across * Matrix3::Identity() + (along - across) * normal * normal.transpose();
 }
 
-/// What opposes a turn about the middle of the area, `second` its moments about it [that times m⁴]: springs across for the turn in the
+/// Stiffness against a turn about the middle of the area, `second` its moments about it [that times m⁴]: springs across for the turn in the
 /// plane, along it for the others.
 inline Matrix3 turning_stiffness(const Vector3& normal, const Matrix3& second, double along, double across) {
     const Matrix3 n = cross_matrix(normal);

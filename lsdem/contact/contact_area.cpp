@@ -144,7 +144,7 @@ double integrate_distance(std::size_t count, const Vector3* place, const double*
     return sum;
 }
 
-/// How a piece is seen along `normal`, in which the second body is pushed.
+/// View of a piece along `normal`, in which the second body is pushed.
 struct Sight {
     double sign, cosine, share;  ///< share: in the reach [-]
     Sight(const OverlapPieces::Piece& piece, const Vector3& normal)

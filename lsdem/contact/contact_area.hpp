@@ -30,7 +30,7 @@ struct PressureMoments {
     bool operator==(const PressureMoments&) const = default;
 };
 
-/// What dashpots of the pressure `dashpot` would pull beyond what springs of `stiffness` per area push, ∫ max(0, −(K d + dashpot)) dS, with
+/// Pull of dashpots of the pressure `dashpot` beyond what springs of `stiffness` per area push, ∫ max(0, −(K d + dashpot)) dS, with
 /// places from `dashpot.about`. With the opposite of the dashpots and C/Δt for K: what they would push before their points touched.
 PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& dashpot, double stiffness);
 

@@ -108,7 +108,7 @@ struct ContactStep {
     struct Motion {
         std::array<Vector, 2> center, previous_center;  ///< of mass now, and one step ago about the origin of that time [m]
         Vector shift;                                   ///< of the second centre against the first over the step [m]
-        /// Of each body: T v = v + 2w (u×v) + 2u×(u×v), w cosine of half the angle, u the axis times its sine.
+        /// Turn of each body: T v = v + 2w (u×v) + 2u×(u×v), w cosine of half the angle, u the axis times its sine.
         struct Turn {
             Vector half;    ///< u
             Vector turned;  ///< 2w u, the axis times the sine of the angle
@@ -137,7 +137,7 @@ struct ContactStep {
         Real sum{};
         Vector at{};
     };
-    /// What a contact does in a step.
+    /// Outcome of a step of a contact.
     struct Result {
         Vector force{}, moment{};                ///< on the second body; about the origin of the pair [N, N·m]
         Real elastic_normal{}, elastic_shear{};  ///< stored now, the first but for a part overlap/size of it [J]
@@ -159,7 +159,7 @@ struct ContactStep {
         Vector normal;
 
         MUSIM_WIDE Real about_pressure(const Friction& friction) const { return friction.couple + dot(normal, cross(arm, friction.force)); }
-        /// How far beyond the limit, 0 on it, in squares of it.
+        /// Excess beyond the limit, 0 on it, in squares of it.
         MUSIM_WIDE Real excess(const Friction& friction) const {
             const Real turning = about_pressure(friction) / reach;
             return (dot(friction.force, friction.force) + turning * turning) / (force * force) - 1.0;
@@ -328,7 +328,7 @@ struct ContactStep {
         keep(contact.couple), keep(contact.dashpots.force), keep(contact.dashpots.couple);
         keep(result.force), keep(result.moment), keep(result.elastic_normal), keep(result.elastic_shear);
     }
-    /// What acts works over a step with the mean of its values at both ends. `moved`: of the middle of the area now.
+    /// Losses of a step, over which forces work with the mean of their values at both ends. `moved`: of the middle of the area now.
     MUSIM_WIDE static void add_losses(const Memory& before, const Memory& contact, const Motion& motion, const Vector& moved,
                                       const Real& stored_shear, Result& result) {
         const Vector turned = motion.turn[1].turned - motion.turn[0].turned;

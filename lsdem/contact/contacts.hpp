@@ -16,7 +16,7 @@
 
 namespace musim::lsdem {
 
-/// What the nodes of all pairs remember of their contacts, in the follower's frame; structure of arrays, one entry per entry of
+/// Memory that the nodes of all pairs have of their contacts, in the follower's frame; structure of arrays, one entry per entry of
 /// ContactList::nodes. The history is the largest stream of a step.
 struct ContactHistory {
     std::array<std::vector<double>, 3> slip;  ///< ξ, elastic part of the slip, tangential [m]
@@ -64,14 +64,14 @@ struct ContactPair {
     std::optional<std::size_t> follower_block() const { return follower == kGround ? std::nullopt : std::optional<std::size_t>(follower); }
 };
 
-/// What one pair did in the current step, world frame.
+/// Forces of one pair in the current step, world frame.
 struct PairForce {
     Vector3 force = Vector3::Zero();            ///< on the leader; the follower gets its opposite [N]
     Vector3 leader_torque = Vector3::Zero();    ///< about the leader's centre of mass [N·m]
     Vector3 follower_torque = Vector3::Zero();  ///< about the follower's centre of mass [N·m]
 };
 
-/// What one pair holds now.
+/// State of one pair now.
 struct PairTally {
     double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored [J]
     double overlap = 0.0;                              ///< largest [m]
@@ -79,7 +79,7 @@ struct PairTally {
     bool rough = false;                                ///< see refine_overlap_energies
 };
 
-/// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::MassScaling.
+/// Inertia that contacts ask their blocks to have while a specimen is prepared, see detail::MassScaling.
 struct InertiaDemand {
     bool wanted = false;
     std::vector<double> per_area;  ///< one per pair [kg/m²]

@@ -9,7 +9,7 @@
 #include "lsdem/contact/overlap_kernel.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
 
-/// What overlap_lanes.hpp does, for any number of lanes.
+/// Steps and overlaps of overlap_lanes.hpp, for any number of lanes.
 namespace musim::lsdem::detail {
 
 /// Gathers and scatters fields of several pairs.
@@ -104,7 +104,7 @@ struct Lane {
     /// broad faces, by 60 times as much on slivers, as the test of the lanes holds.
     static constexpr double kRoughly = 1e-6;
 
-    /// What pairs do in a step, from what they remember, which is updated. `area`: of the overlap; `rough`: see PairTally.
+    /// Step of pairs, from what they remember, which is updated. `area`: of the overlap; `rough`: see PairTally.
     template <class Cells>
     MUSIM_WIDE static typename Step::Result compute(LanePair* pairs, const typename Step::Geometry& geometry,
                                                     const typename Step::Motion& motion, double dt, bool first_step, const Real& area,

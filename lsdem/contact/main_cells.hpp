@@ -112,7 +112,7 @@ MUSIM_WIDE typename W::Real integrate_distance(const std::array<typename W::Real
     return away * ((1.0 / 12.0) * (depth_at_origin * of_r) + 0.25 * of_depth_r);
 }
 
-/// What the step of a contact asks of both main cells.
+/// Questions of a contact's step to both main cells.
 template <class W>
 struct MainCells {
     using Real = typename W::Real;

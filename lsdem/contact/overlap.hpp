@@ -7,7 +7,7 @@
 #include "lsdem/contact/solid.hpp"
 #include "lsdem/types.hpp"
 
-/// How two convex bodies push each other where they overlap, see docs/theory/overlap_contact.md.
+/// Forces between two convex bodies where they overlap, see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
 
 /// The faces of two bodies inside each other, cut into pieces over which the depth below the nearest face of the other body is affine.
@@ -53,7 +53,7 @@ class OverlapPieces {
     std::array<Vertex, kMostVertices> vertices_;
 };
 
-/// What the springs of an overlap do, for a stiffness per area of one.
+/// Load by the springs of an overlap, for a stiffness per area of one.
 struct OverlapLoad {
     Vector3 force = Vector3::Zero();   ///< on the second body [m³]
     Vector3 moment = Vector3::Zero();  ///< of that force about the origin of the pair [m⁴]

@@ -20,7 +20,7 @@ struct FrictionSprings {
     Value total() const { return in_core + in_rest; }
 };
 
-/// What a contact remembers from one step to the next: its slip, as the force of the springs of friction. World axes; friction acts on the
+/// Memory of a contact from one step to the next: its slip, as the force of the springs of friction. World axes; friction acts on the
 /// second body.
 struct OverlapContact {
     bool touches = false;

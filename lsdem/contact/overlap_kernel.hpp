@@ -57,7 +57,7 @@ struct Kernel : OverlapRims<W> {
     struct Box : BoxAxes<W> {
         Lanes3 position;
 
-        /// Of three that belong to the axes, the one `from` places after that of the face's normal.
+        /// Value, of three that belong to the axes, that is `from` places after that of the face's normal.
         template <class Value>
         MUSIM_WIDE static Value pick(const std::array<LaneMask, 3>& along, const std::array<Value, 3>& of, std::size_t from) {
             return choose(along[0], of[from], choose(along[1], of[(from + 1) % 3], of[(from + 2) % 3]));
@@ -79,7 +79,7 @@ struct Kernel : OverlapRims<W> {
                 {f[9], f[10], f[11]}};
     }
 
-    /// What role X in Y is made from; `apart`: from the middle of X to that of Y.
+    /// Data that role X in Y is made from; `apart`: from the middle of X to that of Y.
     MUSIM_WIDE static void set_up(Role& role, const FaceAxes& x, const FaceAxes& y, const Lanes3& apart, const Lanes& cosine) {
         role.cosine = cosine, role.half_normal = x.half_n;
         role.depth_at = (y.half_n + dot(apart, y.n)) + x.half_n * cosine;
@@ -140,7 +140,7 @@ struct Kernel : OverlapRims<W> {
             cell.middle = all(i == 0 ? -0.5 : 0.5) * c + boxes[i].half_n * boxes[i].n;
         }
     }
-    /// What lies beside the main cells.
+    /// Parts beside the main cells.
     MUSIM_WIDE void add_rims(LaneOverlap& result) {
         const Lanes zero{};
         deepest = larger(roles[0].deepest, roles[1].deepest), area = all(0.5) * (roles[0].area + roles[1].area);

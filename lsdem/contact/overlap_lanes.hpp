@@ -20,7 +20,7 @@ namespace musim::lsdem::detail {
 inline constexpr std::size_t kLanePairs = 32, kMostLanes = 8;
 constexpr std::size_t round_up_to_lanes(std::size_t count) { return (count + kMostLanes - 1) / kMostLanes * kMostLanes; }
 
-/// What a contact leaves behind.
+/// Results of a contact's step.
 struct LaneOutput {
     OverlapContact contact;
     PairForce force;
@@ -59,7 +59,7 @@ void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool firs
 /// The same for one pair, by the exact function; `room`: for the pieces of its faces.
 void compute_exact_pair(LanePair& pair, double dt, bool first_step, OverlapPieces& room);
 
-/// What the overlap alone is, for a stiffness per area of one; about the point half way between the middles of the boxes.
+/// Overlap alone, without a step, for a stiffness per area of one; about the point half way between the middles of the boxes.
 struct LaneFinding {
     Vector3 force;                    ///< on the second body [m³]
     Vector3 moment;                   ///< of it [m⁴]
@@ -71,7 +71,7 @@ struct LaneFinding {
     bool irregular;                   ///< nothing of the above holds
     bool operator==(const LaneFinding&) const = default;
 };
-/// Of `count` pairs.
+/// Overlaps of `count` pairs.
 void compute_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 
 // the same for machines with AVX-512, where others have those of AVX2, which nobody calls; and for those without AVX2, and other processors

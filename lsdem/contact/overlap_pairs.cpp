@@ -13,7 +13,7 @@ namespace {
 /// The ground reaches so many radii of a block from its middle, to all sides: it has no edges where it is met [-].
 constexpr double kGroundReach = 4.0;
 
-/// How far the bodies of a pair are apart at least; zero or less where they may overlap [m].
+/// Least distance between the bodies of a pair; zero or less where they may overlap [m].
 double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
     if (pair.follower == kGround) {

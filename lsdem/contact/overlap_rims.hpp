@@ -7,7 +7,7 @@
 
 namespace musim::lsdem::detail {
 
-/// What lies beside the main cell: along rims that are flush with a side plane of Y, at their ends, and at the corners of Y.
+/// Parts beside the main cell: along rims that are flush with a side plane of Y, at their ends, and at the corners of Y.
 template <class W>
 struct OverlapRims : OverlapRole<W> {
     using Base = OverlapRole<W>;
@@ -111,7 +111,7 @@ struct OverlapRims : OverlapRole<W> {
             factor * (gap.along + all(1.0 / 3.0) * ((all(1.0) / (role.cosine + m.by_s)) + all(1.0) / (role.cosine + n.by_s)) * gap.cube);
     }
 
-    /// What rim `r` of direction k sees.
+    /// Data of rim `r` of direction k.
     struct Rim {
         Lanes x, d_at, d_by, half;
         std::array<SidePlane, 2> own, end;                       ///< along it, and across its ends; lower, upper
@@ -132,7 +132,7 @@ struct OverlapRims : OverlapRole<W> {
                 }
             }
         }
-        /// Of `part`, where own plane i is nearer than those of the ends.
+        /// Stretch of `part` where own plane i is nearer than those of the ends.
         MUSIM_WIDE Interval nearer_own(std::size_t i, Interval part) const {
             part.keep(meet[i][0], meet_inverse[i][0] > all(0.0));
             part.keep(meet[i][1], meet_inverse[i][1] > all(0.0));

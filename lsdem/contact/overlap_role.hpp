@@ -17,7 +17,7 @@
 /// Lines that cross under a small angle take the place of their crossing from one number, so that no gap opens between them.
 namespace musim::lsdem::detail {
 
-/// What a role is made from and sums to, its main cell, and what belongs to that alone.
+/// Inputs and sums of a role, its main cell, and what belongs to that alone.
 template <class W>
 struct OverlapRole {
     using Lanes = typename W::Real;
@@ -111,7 +111,7 @@ struct OverlapRole {
         }
     }
 
-    /// What only flush edges and corners need.
+    /// Side planes, which only flush edges and corners need.
     MUSIM_WIDE static void find_side_planes(Role& role) {
         for (std::size_t k = 0; k < 2; ++k) {
             Across& u = role.across[k];

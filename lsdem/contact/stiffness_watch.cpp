@@ -12,7 +12,7 @@ namespace {
 
 using detail::Matrix6;
 
-/// What a contact opposes to a motion of one of its blocks. `arm`: of the middle of the area from the block's centre [m].
+/// Stiffness of a contact against a motion of one of its blocks. `arm`: of the middle of the area from the block's centre [m].
 Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double along, double across) {
     const Matrix3 d = stiffness_per_area(area.normal, along, across), r = cross_matrix(arm);
     Matrix6 sum;

@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// How much of the limit of the time step the contacts of a block use [-], and which block it is.
+/// Share of the limit of the time step that the contacts of a block use [-], and the block.
 struct StiffestBlock {
     double used = 0.0;
     std::size_t block = 0;

@@ -31,6 +31,6 @@ Function* widest(Function* by_512, Function* by_256, Function* plain) {
 #define MUSIM_AVX2
 #endif
 
-/// How four lanes travel into and out of a function depends on the instructions that it is compiled for, and what both paths call is
-/// compiled for the plain ones. So every function that takes or returns lanes is always inlined; a lambda says so before its body.
+/// Functions that take or return lanes are always inlined: the way of four lanes into and out of a function depends on the instructions
+/// that it is compiled for, and what both paths call is compiled for the plain ones. A lambda says so before its body.
 #define MUSIM_INLINE_LAMBDA __attribute__((always_inline))

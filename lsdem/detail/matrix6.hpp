@@ -4,7 +4,7 @@
 
 namespace musim::lsdem::detail {
 
-/// Of the motions of a block: three translations, then three rotations.
+/// Matrix over the motions of a block: three translations, then three rotations.
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// The largest eigenvalue of a symmetric matrix, in its unit. Compiled once, since Eigen's solver takes ten seconds to compile.

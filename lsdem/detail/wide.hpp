@@ -110,7 +110,7 @@ MUSIM_WIDE void transpose(std::array<Wide<4>::Real, 4>& rows) {
     rows = {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5), __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
             __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7), __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)};
 }
-/// Of fields that do not fill a block of as many as there are lanes: faster as a part of one than one by one.
+/// Copy of fields that do not fill a block of as many as there are lanes: faster as a part of one than one by one.
 template <class Real, std::size_t kFields>
 inline constexpr bool worth_a_block = kWidth<Real> == 8 && kFields % kWidth<Real> >= 3;
 /// `kFields` numbers that lie behind each other, of every lane; `of(lane)` points to the first.

@@ -26,13 +26,13 @@ class MassScaling {
     void end(Bodies& bodies, ContactList& list);
     bool is_active() const { return !mobilities_.empty(); }
 
-    /// What the contacts of a new list will ask for per area.
+    /// Demand of the contacts of a new list, per area.
     void price(ContactList& list) const;
     /// Gives blocks [first, last) what their contacts have asked for, at step n before they move on from n − 1/2.
     void give(const TouchList& touches, const ContactList& list, std::size_t first, std::size_t last, Bodies& bodies) const;
 
   private:
-    /// Of one block, at its corners, times its mass [-].
+    /// Mobility of one block at its corners, times its mass [-].
     struct Mobility {
         double any = 1.0;                 ///< Λ
         Vector3 along = Vector3::Ones();  ///< Λ_n of forces along each body axis

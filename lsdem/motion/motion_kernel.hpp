@@ -59,7 +59,8 @@ class TouchList {
     std::vector<Touch> touches_;
 };
 
-/// What moves blocks in one step, and how far they may go before neighbors are searched anew. What it refers to must outlive it.
+/// Forces that move blocks in one step, and the drift beyond which neighbors are searched anew. The objects that it refers to must outlive
+/// it.
 struct Leap {
     const TouchList& touches;                     ///< the pairs of every block
     const std::vector<PairForce>& forces;         ///< of these pairs

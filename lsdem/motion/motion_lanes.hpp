@@ -8,7 +8,7 @@
 #include "lsdem/detail/free_rotation.hpp"
 #include "lsdem/motion/motion_kernel.hpp"
 
-/// What motion_kernel.hpp does, for any number of lanes.
+/// Motion of motion_kernel.hpp, for any number of lanes.
 namespace musim::lsdem::detail {
 
 template <class W>

@@ -7,7 +7,7 @@
 
 namespace musim::lsdem {
 
-/// What friction of all boxes that touch holds, in the order of the list.
+/// Friction of all boxes that touch, in the order of the list.
 std::vector<Preload> find_preloads(const ContactList& list);
 
 /// Makes friction of the contacts of a new list hold what `preloads` say; their blocks may be given in either order.

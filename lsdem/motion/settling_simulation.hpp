@@ -19,7 +19,7 @@ struct Release {
 /// Puts a held block of a model in its place and lets it go, as SettlingSimulation::release does with its own.
 void release_block(const Release& release, Model& model);
 
-/// What inertia blocks have while a specimen is prepared.
+/// Inertia of blocks while a specimen is prepared.
 enum class Inertia {
     own,       ///< that of their mass
     as_stable  ///< so much more, as long as their contacts ask for it, that they are stable at whatever time step; see

@@ -95,7 +95,7 @@ struct PhaseTimes {
     double neighbors = 0.0, contacts = 0.0, motion = 0.0;
 };
 
-/// What one block bears from another, or from the ground.
+/// Force that one block bears from another, or from the ground.
 struct ContactForce {
     std::size_t leader = 0;
     std::optional<std::size_t> follower;  ///< nothing: the ground
@@ -103,7 +103,8 @@ struct ContactForce {
     double energy = 0.0;                  ///< of its normal springs [J]
 };
 
-/// What a pair that touches by its overlap opposes to small motions of its blocks: springs over the area where its faces face each other.
+/// Stiffness of a pair that touches by its overlap against small motions of its blocks: springs over the area where its faces face each
+/// other.
 struct JointStiffness {
     std::size_t leader = 0;
     std::optional<std::size_t> follower;  ///< nothing: the ground
@@ -171,10 +172,10 @@ class Simulation {
     Vector3 contact_torque(std::size_t block) const;   ///< of these about its centre of mass, world frame [N·m]
     std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, in the order of their blocks' numbers
 
-    /// Of all pairs that touch now and meet by their overlap.
+    /// Stiffnesses of all pairs that touch now and meet by their overlap.
     std::vector<JointStiffness> joint_stiffness() const;
 
-    /// What all contacts that touch hold now, as Model::preload of a structure that is to begin where this one is.
+    /// Friction of all contacts that touch now, as Model::preload of a structure that is to begin where this one is.
     std::vector<Preload> preloads() const;
 
     Energy energy() const;

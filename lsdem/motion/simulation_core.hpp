@@ -20,7 +20,7 @@
 #include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/thread_team.hpp"
 
-/// What a simulation consists of. Its functions are in simulation_start.cpp, simulation_step.cpp, simulation_energy.cpp and
+/// Parts of a simulation. Its functions are in simulation_start.cpp, simulation_step.cpp, simulation_energy.cpp and
 /// simulation_state.cpp; what users see of it, in simulation.cpp and settling_simulation.cpp.
 namespace musim::lsdem {
 
@@ -57,7 +57,7 @@ struct StepCount {
     std::optional<Leaving> leaving = {};
 };
 
-/// What the energy balance is counted from.
+/// Origin of the energy balance.
 struct EnergyBase {
     double start_energy = 0.0;       ///< kinetic plus elastic at t = 0 [J]
     double start = 0.0;              ///< of the balance at t = 0 [J]
@@ -66,7 +66,7 @@ struct EnergyBase {
     double weight_times_edge = 0.0;  ///< [J]
 };
 
-/// What checks have found.
+/// Findings of the checks.
 struct Health {
     std::optional<Divergence> divergence;
     StiffnessWatch stiffness_watch;
@@ -122,7 +122,7 @@ struct Simulation::Implementation {
     void restart();
     void restart_balance();
     void share_work();
-    /// What all contacts do to a block. Throws std::out_of_range where there is none.
+    /// Load of all contacts on a block. Throws std::out_of_range where there is none.
     detail::TouchList::Load load_on(std::size_t block) const;
     detail::VelocityDecay decay_over(double h) const { return {preparation.damping_rate, h}; }
     /// Velocity after a time of decay [m/s].
@@ -138,7 +138,7 @@ struct Simulation::Implementation {
     Vector3 momentum_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& torque) const {
         return decay.keep * bodies.momentum[i] + decay.push * bodies.free[i] * torque;
     }
-    /// Of the impulse of the damping and of mass scaling on block i at this step, the work on the velocity before it [J].
+    /// Work [J] that the impulse of the damping and of mass scaling on block i at this step does on the velocity before it.
     double half_preparation_loss(std::size_t i) const;
     std::uint64_t find_steps_at_rest();
     double stored_and_kinetic() const;

@@ -10,7 +10,7 @@
 #include "lsdem/motion/simulation_core.hpp"
 #include "lsdem/rotation.hpp"
 
-/// How a simulation begins: its model is checked, and the first forces are found.
+/// Start of a simulation: its model is checked, and the first forces are found.
 namespace musim::lsdem {
 namespace {
 

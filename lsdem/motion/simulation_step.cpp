@@ -8,7 +8,7 @@
 #include "lsdem/motion/simulation_core.hpp"
 #include "lsdem/time_step.hpp"
 
-/// How a simulation goes on: a step, and who does what in it.
+/// Step of a simulation, and the share of each thread in it.
 namespace musim::lsdem {
 namespace {
 
@@ -26,14 +26,14 @@ constexpr std::uint64_t kPlaceInterval = 16;
 constexpr double kEnergyAtRest = 1e-20;
 constexpr int kChecksAtRest = 16;
 
-/// What boxes that touch cost, in nodes; what does not touch is mostly passed over. Affects speed only.
+/// Cost of boxes that touch, in nodes; what does not touch is mostly passed over. Affects speed only.
 constexpr std::size_t kNodesPerOverlap = 32;
 
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What thread `index` of `count` gets.
+/// Share of thread `index` of `count`.
 detail::Share share_of(std::size_t items, int index, int count) {
     const auto i = static_cast<std::size_t>(index), n = static_cast<std::size_t>(count);
     return {items * i / n, items * (i + 1) / n};

@@ -16,7 +16,7 @@ namespace {
 /// A joint that leans by less is level [-].
 constexpr double kLevelCosine = 1.0 - 1e-6;
 
-/// What stands on one level: its mass, and where it is borne along the axis.
+/// Part that stands on one level: its mass, and where it is borne along the axis.
 struct Body {
     double mass = 0.0;
     Vector3 moment = Vector3::Zero();  ///< mass times place [kg m]

@@ -93,7 +93,7 @@ std::vector<Edge> find_edges(const PlacedSolid& solid) {
     return edges;
 }
 
-/// Of the sine between two edges: those that are nearer to parallel do not cross [-].
+/// Least sine of the angle between two edges that cross; those that are nearer to parallel do not [-].
 constexpr double kParallel = 1e-3;
 
 /// Does an edge of one lie along one of the other, no farther apart than `gap`, over more than that?

@@ -17,7 +17,7 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// What may be left on a block, see RigidStatics::residual: ten times what the solver takes for zero.
+/// Residual that may be left on a block, see RigidStatics::residual: ten times what the solver takes for zero.
 constexpr double kBalanced = 1e-6;
 
 /// Joints that lean by less are level to friction: its first direction is then along x [-].
@@ -113,7 +113,7 @@ class Balance {
         program.end_column(-1.0, most);
     }
 
-    /// What the forces in the joints leave of every block's weight, and of `acceleration` over gravity.
+    /// Rest that the forces in the joints leave of every block's weight, and of `acceleration` over gravity.
     std::vector<Vector6> find_left(const std::vector<double>& x, const Vector3& acceleration) const {
         Vector6 alone = Vector6::Zero();
         alone.head<3>() = down() - acceleration;
@@ -165,7 +165,7 @@ double find_largest(const std::vector<Vector6>& left) {
     return largest;
 }
 
-/// What blocks need beyond the forces in their joints, where the least is added to these; nothing where the solver gave up.
+/// Help that blocks need beyond the forces in their joints, where the least is added to these; nothing where the solver gave up.
 std::optional<std::vector<Vector6>> find_least_help(const Balance& balance) {
     LinearProgram program(balance.rows());
     balance.put_weight(program);

@@ -17,7 +17,7 @@ inline constexpr double kRigidGap = 0x1p-12;
 /// Directions in which friction may act in a joint: the corners of a polygon inside Coulomb's circle, smaller by 2 % where it is least.
 inline constexpr std::size_t kFrictionDirections = 16;
 
-/// What a block would need from outside to stand as drawn.
+/// Force and moment that a block would need from outside to stand as drawn.
 struct BlockHelp {
     std::size_t block = 0;
     double force = 0.0;  ///< over its weight [-]
@@ -26,7 +26,7 @@ struct BlockHelp {
     bool touches = true;  ///< does anything touch the block?
 };
 
-/// What rigid statics says of a structure under its own weight.
+/// Findings of rigid statics about a structure under its own weight.
 struct RigidStatics {
     enum class Answer {
         not_asked,     ///< see `why`
