@@ -13,7 +13,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// How far apart the lower face of a block and what carries it may be at the start [heights of the block]: blocks of a specimen lean and
+/// Largest distance of the lower face of a block from what carries it at the start [heights of the block]: blocks of a specimen lean and
 /// differ in height by some hundredths.
 constexpr double kJointGap = 0.1;
 

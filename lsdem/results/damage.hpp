@@ -7,7 +7,7 @@
 
 #include "lsdem/results/history.hpp"
 
-/// What a motion has left behind: slip between blocks, rotations, fallen blocks.
+/// Damage that a motion has left behind: slip between blocks, rotations, fallen blocks.
 namespace musim::lsdem {
 
 /// Two blocks that stood on each other at the start, or a block on the ground.
@@ -18,7 +18,7 @@ struct Joint {
     double slip = 0.0;  ///< horizontal distance, at the end, of the two points that met in the middle of the joint at the start [m]
 };
 
-/// What a block has come to at the end.
+/// Damage of a block at the end.
 struct BlockDamage {
     bool fallen = false;
     double rotation = 0.0;  ///< residual, whole angle, relative to the start [rad]
@@ -43,7 +43,8 @@ struct LevelDamage {
     Spread turn;          ///< residual, about the vertical, relative to the start, absolute [rad]
     double index = 0.0;   ///< damage index of the level [-]
     /// Dissipated in the joints below: in those that the blocks of the level beneath lead, or with the ground below the lowest level [J].
-    /// Of the highest level also in the joints it leads itself, which are those among its own blocks. Blocks in no layer: what they lead.
+    /// Work in the joints below the level, of the highest level also in those that it leads itself, among its own blocks. Blocks in no
+    /// layer: what they lead.
     std::optional<PairWork> loss;
 };
 

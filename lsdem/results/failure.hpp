@@ -7,7 +7,7 @@
 
 #include "lsdem/results/history.hpp"
 
-/// How a structure failed, found from the way its blocks moved.
+/// Failure of a structure, found from the way its blocks moved.
 namespace musim::lsdem {
 
 /// Failure modes of towers [Harmon23, section 6, Fig. 9].
@@ -29,8 +29,8 @@ inline constexpr double kEndOfTower = 0.1;
 /// Least widening that counts as a bulge [thin sides of a block]: a tenth is more than joints and rocking give to a whole level.
 inline constexpr double kLeastBulge = 0.1;
 
-/// What decides the modes, all without dimension. With e the horizontal unit vector from the tower's axis (through its centre of mass
-/// at the start) to a block's place at the start, and d the block's displacement relative to the base,
+/// Measures that decide the modes, all without dimension. With e the horizontal unit vector from the tower's axis (through its centre of
+/// mass at the start) to a block's place at the start, and d the block's displacement relative to the base,
 ///
 ///   u = e·d (outward),   w = −d_z (down),   b the shorter horizontal side of the block;
 ///
@@ -55,7 +55,7 @@ struct Failure {
 /// One line: mode and measures; of a structure that does not surround an axis, that it collapsed and by how many blocks.
 std::string describe(const Failure& failure);
 
-/// What there is to judge by.
+/// Data to judge by.
 struct FailureData {
     const BlockTable& blocks;
     const std::vector<Vector3>& start;  ///< where the blocks stood, see Falls [m]

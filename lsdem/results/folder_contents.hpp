@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// What results are made from: command and version, and by name the parts of scenes and the options. Equal origins make equal results.
+/// Origin of results: command and version, and by name the parts of scenes and the options. Equal origins make equal results.
 struct ResultOrigin {
     std::string command;  ///< "run", "pair", ...
     std::string program_version;

@@ -29,7 +29,7 @@ class Hdf5Handle {
     Close close_;
 };
 
-/// How numbers of a type stand in memory and in a file.
+/// Types of a number in memory and in a file.
 struct Hdf5Types {
     hid_t memory, file;
 };
@@ -97,7 +97,7 @@ class Hdf5File {
             write_dataset(path, shape_of<Value>(shape), types_of(Number{}), numbers.data(), units);
         }
     }
-    /// How many values there are in a list that says so itself.
+    /// Number of values in a list that says so itself.
     template <class Value>
     static hsize_t count(const std::string& /*path*/, const std::vector<Value>& values) {
         return values.size();

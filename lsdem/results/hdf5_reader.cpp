@@ -28,7 +28,7 @@ hid_t open_file(const std::filesystem::path& path) {
     return file;
 }
 
-/// How many values a dataset of that shape holds; nothing when the file keeps fewer, as ours, which are not compressed, never do.
+/// Number of values that a dataset of that shape holds; nothing when the file keeps fewer, as ours, which are not compressed, never do.
 std::optional<std::size_t> count_values(hid_t set, const std::vector<hsize_t>& shape) {
     if (std::find(shape.begin(), shape.end(), 0) != shape.end()) return 0;
     const Hdf5Handle type(H5Dget_type(set), H5Tclose, "describe a dataset");

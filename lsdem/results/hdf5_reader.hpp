@@ -22,7 +22,7 @@ class Hdf5Reader {
   public:
     explicit Hdf5Reader(const std::filesystem::path& path);
 
-    /// Of the whole file, see append_checksum().
+    /// Checksum of the whole file, see append_checksum().
     const std::string& checksum() const { return checksum_; }
 
     bool has(const std::string& path) const;
@@ -42,14 +42,14 @@ class Hdf5Reader {
         values.reserve(data.values.size() / Numbers::kCount);
         for (std::size_t i = 0; i < data.values.size(); i += Numbers::kCount) values.push_back(Numbers::make(&data.values[i]));
     }
-    /// How many numbers the list `path` holds.
+    /// Number of values in the list `path`.
     template <class Value>
     hsize_t count(const std::string& path, const std::vector<Value>& /*values*/) const {
         return read<typename Hdf5Numbers<Value>::Number>(path, 1).shape[0];
     }
     /// Layers or levels of a structure of so many blocks, from 1; 0 for what is in none. Throws ResultError for any other.
     std::vector<int> layers(const std::string& path, std::size_t blocks) const;
-    /// What Hdf5File::write_texts wrote.
+    /// Texts that Hdf5File::write_texts wrote.
     std::vector<std::string> texts(const std::string& path) const;
     /// Text attribute of the file itself.
     std::string attribute(const std::string& name) const;

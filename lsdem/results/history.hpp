@@ -52,7 +52,7 @@ struct Falls {
     bool is_airborne(std::size_t block) const { return block < airborne.size() && airborne[block] != 0; }
 };
 
-/// What a run that is a later stage of a sequence takes over from the stages before it. Falls count from here.
+/// State that a later stage of a sequence takes over from the stages before it. Falls count from here.
 struct StageOrigin {
     std::size_t stage = 1;                ///< which one the run is, counted from 0
     double time = 0.0;                    ///< duration of the motions before it [s]
@@ -61,12 +61,12 @@ struct StageOrigin {
     std::vector<Quaternion> orientation;  ///< likewise, body to world
 };
 
-/// What the blocks are, for results on disk.
+/// Table of the blocks, for results on disk.
 struct BlockTable {
     std::vector<Vector3> size;  ///< edge lengths of the bounding box in the body frame [m]
     std::vector<double> mass;   ///< [kg]
     std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
-    /// Of listed blocks, empty for those without one; no entries for blocks of columns, towers and walls.
+    /// Names of listed blocks, empty for those without one; no entries for blocks of columns, towers and walls.
     std::vector<std::string> name = {};
 
     bool is_listed() const { return !name.empty(); }
@@ -78,17 +78,17 @@ struct BlockTable {
     double thin_side(std::size_t block) const { return size[block].head<2>().minCoeff(); }
 };
 
-/// How the structure of a run begins: at rest after a preparation; with its weight beginning to act, as "preparation": "none" asks; or as
+/// Beginning of a run: its structure at rest after a preparation; with its weight beginning to act, as "preparation": "none" asks; or as
 /// single blocks are listed.
 enum class Beginning { prepared, at_once, listed };
 
-/// How a run ended. Collapse is a result: the run goes on to its end. Divergence is a numerical failure and ends the run.
+/// End of a run. Collapse is a result: the run goes on to its end. Divergence is a numerical failure and ends the run.
 enum class RunStatus { completed, collapsed, diverged };
 
 /// "completed", "collapsed" or "diverged".
 std::string to_string(RunStatus status);
 
-/// What a run did: what simulate() produces and result folders keep.
+/// Data of a run, as simulate() produces and result folders keep them.
 struct RunData {
     RunStatus status = RunStatus::completed;
     std::optional<double> collapse_time;  ///< first sample with enough fallen blocks [s]

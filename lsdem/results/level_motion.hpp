@@ -13,7 +13,7 @@ struct LevelSample {
     scaling::Length x{}, y{}, z{};  ///< displacement of its centre of mass since the start, relative to the base, in the world frame
 };
 
-/// How the spine's block of a level moved against the base, sample by sample, in the prototype's units: times over λ_t, lengths over λ_l.
+/// Motion of the spine's block of a level against the base, sample by sample, in the prototype's units: times over λ_t, lengths over λ_l.
 /// Throws std::invalid_argument for a level that the spine does not have.
 std::vector<LevelSample> measure_level(const RunData& run, int level);
 

@@ -24,7 +24,7 @@ struct LargestAt {
 /// A top moves at the end that is faster than this part of its largest velocity, both horizontal and relative to the base [-]. A choice.
 inline constexpr double kStillMoving = 0.01;
 
-/// What a run came to, in the numbers that a laboratory asks for first. SI units of the run; peaks are those at the samples. Slip and
+/// Outcome of a run, in the numbers that a laboratory asks for first. SI units of the run; peaks are those at the samples. Slip and
 /// rotation are of blocks that stand (has_fallen): a fallen block has left its place.
 struct Outcome {
     int axis = 0;                              ///< 0, 1, 2: along which the base moves most

@@ -20,7 +20,7 @@ struct StoredRun : RunData {
     bool is_status_known = true;        ///< false: summary.json could not be read; `status` is then what the falls say
 };
 
-/// How much of a run must be there.
+/// Extent to which a run must be there.
 enum class Reading {
     whole,         ///< everything that is there must be readable
     what_there_is  ///< blocks and histories; of the rest what can be read, the gaps are listed

@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// How a structure is brought to rest before anything is done to it.
+/// Settings by which a structure is brought to rest before anything is done to it.
 struct Settling {
     double damping_rate = 0.0;  ///< α of v' = −α v while it settles [1/s]
     /// At rest when every block's kinetic energy is below this part of its weight times its height: velocities below 1.4e-5 of sqrt(gH),
@@ -28,7 +28,7 @@ struct MovedBlock {
     double turned = 0.0;                                     ///< whole angle since [rad]
 };
 
-/// How settling ended.
+/// End of a settling.
 struct Rest {
     bool at_rest = false;                 ///< false: patience ran out
     std::uint64_t steps = 0;              ///< taken
@@ -38,7 +38,7 @@ struct Rest {
     bool collapsed = false;               ///< so many of them that the structure does not stand as drawn; its motion is not run
 };
 
-/// How far a settling has come; with the state of its simulation, all it needs to go on to the same bits.
+/// Progress of a settling; with the state of its simulation, all it needs to go on to the same bits.
 struct SettlingState {
     std::uint64_t steps = 0;  ///< taken
     int checks_at_rest = 0;   ///< in a row, up to now
@@ -52,7 +52,7 @@ struct PreparedPlaces {
     std::vector<Preload> preload;         ///< see Model::preload
 };
 
-/// How far a preparation has come, and all it needs to go on to the same bits.
+/// Progress of a preparation, and all it needs to go on to the same bits.
 struct PreparationState {
     std::size_t round = 0;                     ///< which settling it is in: one per layer, then those of the whole
     std::uint64_t steps = 0, block_steps = 0;  ///< of the rounds before, see PreparedSpecimen

@@ -95,7 +95,7 @@ void exchange_falls(File& file, hsize_t blocks, RunFalls& falls, bool has_collap
     exchange_airborne(file, blocks, falls);
 }
 
-/// What a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
+/// State that a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
 template <class File>
 void exchange_origin(File& file, hsize_t blocks, StageOrigin& origin) {
     std::vector<std::size_t> stage{origin.stage + 1};

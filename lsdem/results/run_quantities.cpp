@@ -7,7 +7,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// Of one number for each spine block: `of(spine block, sample)`.
+/// Largest of one number over the samples for each spine block: `of(spine block, sample)`.
 template <class Of>
 std::vector<double> largest_of_spine(const RunResult& run, std::size_t first_sample, const Of& of) {
     std::vector<double> largest(run.spine.size(), 0.0);

@@ -9,7 +9,7 @@
 
 namespace musim::lsdem {
 
-/// What a motion came to, in numbers that can be held against those of another run: one for every level of the spine or of the structure.
+/// Results of a motion, in numbers that can be held against those of another run: one for every level of the spine or of the structure.
 struct QuantityFamily {
     std::string key;                     ///< in JSON
     std::string title;                   ///< in tables
@@ -19,7 +19,8 @@ struct QuantityFamily {
     std::vector<std::string> name = {};  ///< of each value of a listed block, of which several may be at one level; else no entries
 };
 
-/// Of a run, divided by the factors of its similitude to the prototype, always in this order and with as many values for similar runs:
+/// Quantities of a run, divided by the factors of its similitude to the prototype, always in this order and with as many values for similar
+/// runs:
 ///
 ///   peak_velocity          largest velocity of a spine block relative to the base
 ///   residual_displacement  horizontal, of a spine block relative to the base, at the end

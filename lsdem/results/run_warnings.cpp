@@ -91,7 +91,7 @@ void warn_of_start(const RunResult& run, std::vector<std::string>& warnings) {
     }
 }
 
-/// What fell while the structure was prepared.
+/// Warning of blocks that fell while the structure was prepared.
 void warn_of_falls_before(const RunResult& run, std::vector<std::string>& warnings) {
     if (!run.rest || run.rest->fallen.empty()) return;
     const bool listed = run.blocks.is_listed();

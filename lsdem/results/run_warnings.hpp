@@ -26,7 +26,7 @@ std::string_view name_of(Divergence::Kind kind);
 /// the default one when the run's was above the critical step, else half of the run's. Requires a run that diverged.
 std::string describe_divergence(const RunResult& run);
 
-/// What there is to say of a time step above the critical one [s], and which to take.
+/// Sentence about a time step above the critical one [s], and which to take.
 std::string describe_large_step(double time_step, double critical);
 
 /// Which block fell while a structure was prepared, of several the one that moved furthest for its smallest edge: where it was drawn, where
@@ -37,7 +37,7 @@ std::string describe_fallen(const std::vector<MovedBlock>& fallen, const BlockTa
 /// (Settling::patience, as many times 1/α) ends; one that is smaller gives them more time and less resistance.
 std::string describe_unrest(const Rest& rest);
 
-/// What is doubtful about a run that reached its end, one sentence each, with numbers and what to do. Blocks that
+/// Doubts about a run that reached its end, one sentence each, with numbers and what to do. Blocks that
 /// fell while the structure was prepared; a specimen that did not come to rest (Settling::patience ran out), or a structure that was not at
 /// rest when its motion began (kUnborneWeight, kFastStart), unless it is listed in motion or in the air; a time step above the critical one
 /// (losses in contacts can hold an instability down, so that neither the run nor its energy balance shows it); blocks that passed deep into

@@ -19,7 +19,7 @@ struct SourcePga {
     bool differs_from(double base) const;
 };
 
-/// Of the three components of a motion that ran until `end` [s].
+/// PGA of the three components of a motion that ran until `end` [s].
 std::array<SourcePga, 3> find_source_pga(const std::array<BaseComponent, 3>& motion, double end);
 
 /// "PGA 0.5 g", or both where they differ: "PGA 0.5055 g at the base (0.511 g in the record at this scale: velocity linear between
@@ -29,7 +29,7 @@ std::string describe_pga(double base, const SourcePga& source);
 /// Along x, y and z: {"of": "record" or "scene", "pga_g", "why"}, or null where not known.
 nlohmann::json to_json(const std::array<SourcePga, 3>& sources);
 
-/// Of to_json. Throws nlohmann::json::exception for anything else.
+/// Inverse of to_json. Throws nlohmann::json::exception for anything else.
 std::array<SourcePga, 3> parse_source_pga(const nlohmann::json& json);
 
 }  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 
 #include "lsdem/results/history.hpp"
 
-/// How the spine of a run moved, level by level.
+/// Motion of the spine of a run, level by level.
 namespace musim::lsdem {
 
 /// One level of the spine. Displacements relative to the base, rotations relative to the start.

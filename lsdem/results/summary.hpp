@@ -27,7 +27,7 @@ nlohmann::json to_json(const Failure& failure);
 /// A similitude in one JSON object: law, the chosen factors, all derived factors.
 nlohmann::json to_json(const scaling::Similitude& similitude);
 
-/// Of to_json. Throws nlohmann::json::exception for anything else, SimilitudeError for factors that no similitude has.
+/// Inverse of to_json. Throws nlohmann::json::exception for anything else, SimilitudeError for factors that no similitude has.
 scaling::Similitude parse_similitude(const nlohmann::json& json);
 
 /// A list of distortions, each with group, factor, severity and effect.

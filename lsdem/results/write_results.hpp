@@ -12,13 +12,13 @@
 
 namespace musim::lsdem {
 
-/// What a result file says about the run besides its numbers.
+/// Texts that a result file holds besides the numbers of its run.
 struct ResultHeader {
     std::string scene;  ///< the scene as JSON text
     std::string program_version;
 };
 
-/// What becomes of results that are in a directory already.
+/// Treatment of results that are in a directory already.
 enum class Overwriting {
     refuse,  ///< those of another origin stay, and nothing is done; those of the same one are replaced
     force,   ///< they are replaced, whatever they are of

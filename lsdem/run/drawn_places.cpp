@@ -21,7 +21,7 @@ Vector3 carry(const BoxPose& drawn, const Kinematics& now, std::size_t block, co
     return now.position[block] + now.orientation[block] * (drawn.orientation.conjugate() * (point - drawn.position));
 }
 
-/// How far a joint has slipped or opened [m].
+/// Distance by which a joint has slipped or opened [m].
 double find_left(const std::vector<BoxPose>& drawn, const Kinematics& now, std::size_t block, const Carrier& carrier) {
     const Vector3 below = carrier.block ? carry(drawn[*carrier.block], now, *carrier.block, carrier.meeting) : carrier.meeting;
     Vector3 apart = carry(drawn[block], now, block, carrier.meeting) - below;
@@ -29,13 +29,13 @@ double find_left(const std::vector<BoxPose>& drawn, const Kinematics& now, std::
     return apart.norm();
 }
 
-/// How far a block has turned against what carries it [rad].
+/// Angle by which a block has turned against what carries it [rad].
 double find_turn(const std::vector<BoxPose>& drawn, const Kinematics& now, std::size_t block, const Carrier& carrier) {
     const auto since = [&](std::size_t b) { return Quaternion(now.orientation[b] * drawn[b].orientation.conjugate()); };
     return since(block).angularDistance(carrier.block ? since(*carrier.block) : Quaternion::Identity());
 }
 
-/// How far every block can sink until it rests [m]; infinite where that is not known.
+/// Distance that every block can sink until it rests [m]; infinite where that is not known.
 std::vector<double> find_sinks(const std::vector<BoxPose>& drawn, const std::vector<std::vector<Carrier>>& carriers) {
     std::vector<std::size_t> upward(drawn.size());
     std::iota(upward.begin(), upward.end(), std::size_t{0});

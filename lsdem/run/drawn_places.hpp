@@ -35,7 +35,7 @@ std::vector<MovedBlock> find_fallen(const Specimen& specimen, const Kinematics& 
 /// (find_carriers), or that are thrown up faster than it takes to rise by kFallenDrop of their height, v² > 2 g·H/4.
 std::vector<int> find_airborne(const Specimen& specimen, const Kinematics& start);
 
-/// What rested at the end of a preparation: which blocks have fallen, and whether so many that the structure is not run (Rest::collapsed):
+/// Notes on the end of a preparation: which blocks have fallen, and whether so many that the structure is not run (Rest::collapsed):
 /// of listed blocks any, since a drawing is meant as it is; of layers, whose heights are drawn at random, kCollapsedFraction.
 void note_fallen(const Specimen& specimen, const Kinematics& now, Rest& rest);
 

@@ -51,7 +51,7 @@ struct Unknowns {
     }
 };
 
-/// What the contacts leave of the weight of all blocks: 6 numbers for each that moves.
+/// Imbalance that the contacts leave of the weight of all blocks: 6 numbers for each that moves.
 struct Imbalance {
     Eigen::VectorXd load;
     double largest = 0.0;  ///< see Equilibrium::residual
@@ -186,7 +186,7 @@ bool move_blocks(const Unknowns& unknowns, const Eigen::VectorXd& moved, Model& 
     return true;
 }
 
-/// What carries what: pairs of blocks, or of a block and the ground, whose joints are more level than upright.
+/// Pairs of which one carries the other: of blocks, or of a block and the ground, whose joints are more level than upright.
 using BearingPairs = std::set<std::pair<std::size_t, std::optional<std::size_t>>>;
 
 BearingPairs find_bearing_pairs(const std::vector<JointStiffness>& joints, const Vector3& gravity) {

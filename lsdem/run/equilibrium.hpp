@@ -6,7 +6,7 @@
 
 namespace musim::lsdem {
 
-/// How near to equilibrium a structure was brought.
+/// Nearness of a structure to equilibrium.
 struct Equilibrium {
     std::size_t solves = 0;  ///< of the linear system
     /// The largest force, and torque over half the height of a block, that is left on a block, over its weight [-].

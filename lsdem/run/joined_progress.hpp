@@ -23,9 +23,9 @@ class JoinedProgress {
     /// From the part of the runs that is done: what the preparation was worth comes before it.
     double after_running(double part_of_runs) { return advance_to(prepared_ + (1.0 - prepared_) * part_of_runs); }
 
-    /// What a share of the present preparation and its runs is of all.
+    /// Part of all that a share of the present preparation and its runs is.
     double of_whole_part(double share) const { return share_ * share; }
-    /// What a share of the runs is of all.
+    /// Part of all that a share of the runs is.
     double of_all(double share_of_runs) const { return share_ * (1.0 - prepared_) * share_of_runs; }
 
   private:

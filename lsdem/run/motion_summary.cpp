@@ -46,8 +46,8 @@ std::string describe_source(const SceneMotion& motion) {
                       motion.source);
 }
 
-/// Of a velocity that is linear between samples, whose acceleration is constant there, up to `end` [s]; nothing of a motion that is too
-/// short.
+/// Predominant period of a velocity that is linear between samples, whose acceleration is constant there, up to `end` [s]; nothing of a
+/// motion that is too short.
 std::optional<double> find_predominant_period(const BaseComponent& component, double end) {
     std::vector<double> acceleration;
     for (std::size_t k = 1; k < component.velocity.size(); ++k) {

@@ -12,7 +12,7 @@
 
 namespace musim::lsdem {
 
-/// How the base moves along one axis while a run lasts.
+/// Motion of the base along one axis while a run lasts.
 struct AxisMotion {
     char axis = 'x';
     double pga = 0.0, pgv = 0.0, pgd = 0.0;         ///< of the base [m/s², m/s, m]; velocity and displacement at its samples
@@ -30,7 +30,7 @@ struct MotionSummary {
     TimePlan plan = {};
 };
 
-/// What a scene with one motion does to its base. `base`: the ground's motion in the scene's model. Throws scaling::SimilitudeError,
+/// Summary of the motion of a scene that has one. `base`: the ground's motion in the scene's model. Throws scaling::SimilitudeError,
 /// records::ProcessingError.
 MotionSummary summarize_motion(const Scene& scene, const std::string& name, const std::array<BaseComponent, 3>& base, const TimePlan& plan);
 

@@ -19,7 +19,7 @@ namespace {
 /// is not borne in full.
 constexpr double kEarlyReaction = 1e-3;
 
-/// How long both rounds of the whole take together after the layers, over 1/α: uneven walls of 3 and 6 layers 3.8 to 11, rings of 3 to 10
+/// Time that both rounds of the whole take together after the layers, over 1/α: uneven walls of 3 and 6 layers 3.8 to 11, rings of 3 to 10
 /// layers 6 to 12, in all ways of placing. For the progress alone [-].
 constexpr double kLeastWhole = 4.0, kMostWhole = 12.0;
 
@@ -185,8 +185,8 @@ class PreparationRun {
         return rule;
     }
 
-    /// What is left, from the steps that the present round has taken and the part of it that the decay of its energy suggests: layers to
-    /// come take as long as the last one, at first their patience; the whole takes as long as others did, or longer.
+    /// Work that is left, from the steps that the present round has taken and the part of it that the decay of its energy suggests: layers
+    /// to come take as long as the last one, at first their patience; the whole takes as long as others did, or longer.
     PreparationWork find_left(double part, std::uint64_t steps) const {
         const auto taken = static_cast<double>(steps), blocks = static_cast<double>(simulation().model().blocks.size());
         const double by_decay = part > 0.0 ? taken * (1.0 - part) / part : std::numeric_limits<double>::infinity();

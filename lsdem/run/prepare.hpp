@@ -10,7 +10,7 @@
 
 namespace musim::lsdem {
 
-/// How a specimen is prepared.
+/// Settings by which a specimen is prepared.
 struct PreparationSettings {
     Placing placing = Placing::layers_mass_scaled;
     Settling settling;
@@ -25,10 +25,11 @@ struct PreparationSettings {
     double layer_rest = 1e-8;
     double layer_patience = 2.5;    ///< of Placing::layers and layers_mass_scaled [-]
     double resting_patience = 0.5;  ///< of Placing::resting [-]
-    /// How often the whole comes to rest: to `early_rest` while blocks may still tip, in the last round to the end, with the damping that
-    /// suits sway.
+    /// Number of times that the whole comes to rest: to `early_rest` while blocks may still tip, in the last round to the end, with the
+    /// damping that suits sway.
     std::size_t whole_rounds = 2;
-    /// What is not at rest so long after its layers, over α, while inertia is added gets its own back, and comes to rest in steps of a run.
+    /// Time after its layers, over α, from which a structure that is not at rest while inertia is added gets its own back, and comes to
+    /// rest in steps of a run.
     double added_patience = 15.0;
     double early_rest = 1e-6;  ///< all of these rounds but the last end at this: no block tips any more [-]
     /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with mass scaling [-].
@@ -36,7 +37,7 @@ struct PreparationSettings {
     double last_damping_with_mass_scaling = 0.75;
 };
 
-/// What prepared blocks bear and how they stand; one entry per layer.
+/// Loads and places of prepared blocks; one entry per layer.
 struct LayerState {
     double mean_tilt = 0.0, max_tilt = 0.0;   ///< of the blocks' axes from the vertical [rad]
     double mean_force = 0.0, sd_force = 0.0;  ///< normal force between two blocks, or a block and the ground, on the layer's lower side [N]
@@ -54,7 +55,7 @@ struct PreparedSpecimen {
     double max_overlap = 0.0;        ///< largest overlap ever met on the way, over the height of a block [-]
 };
 
-/// What follows a preparation, for its progress.
+/// Work that follows a preparation, for its progress.
 struct WorkToFollow {
     double preparations = 0.0;  ///< others that cost as much
     double block_steps = 0.0;   ///< of runs
@@ -69,13 +70,14 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
                          const RunSettings& settings = {}, const std::optional<PreparationState>& from = {},
                          const WorkToFollow& to_follow = {});
 
-/// What a preparation takes, before it begins, or still takes on its way [block steps].
+/// Work that a preparation takes, before it begins, or still takes on its way [block steps].
 struct PreparationWork {
     double least = 0.0, most = 0.0;
 };
 
-/// Of blocks that are laid in layers each layer takes its patience and the whole 4 to 12 times 1/α, as seen in uneven walls and rings; of
-/// blocks as drawn nothing that counts: they begin in equilibrium. Throws std::invalid_argument as prepare() does.
+/// Estimate of a preparation's work: of blocks that are placed in layers each layer takes its patience and the whole 4 to 12 times 1/α, as
+/// seen in uneven walls and rings; of blocks as drawn nothing that counts: they begin in equilibrium. Throws std::invalid_argument as
+/// prepare() does.
 PreparationWork estimate_preparation(const Specimen& upright, double time_step, const PreparationSettings& preparation);
 
 /// Where the blocks of a simulation are, and what they hold.

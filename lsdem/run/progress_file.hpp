@@ -30,20 +30,20 @@ struct RunProgress {
     bool operator==(const RunProgress&) const = default;
 };
 
-/// How many values of a history are shown.
+/// Number of values of a history that are shown.
 inline constexpr std::size_t kProgressPoints = 40;
 
 /// The last sample of a run that goes on by this plan. A run without samples or spine has no drift and no velocity.
 RunProgress observe_run(const RunResult& run, const TimePlan& plan);
 
-/// Of `count` equal parts of a history, or of each value if it is shorter, the value of largest magnitude.
+/// Values of largest magnitude in `count` equal parts of a history, or all its values if it is shorter.
 std::vector<double> thin_extremes(const std::vector<double>& history, std::size_t count);
 
 nlohmann::json to_json(const RunProgress& progress);
 /// Throws nlohmann::json::exception for anything else than to_json() makes.
 RunProgress parse_progress_run(const nlohmann::json& json);
 
-/// What a run that goes on reports in its folder.
+/// Report of a run that goes on, in its folder.
 struct ProgressState {
     std::string name;            ///< of the scene
     bool prepares = false;       ///< its specimen is being prepared; nothing moves yet
@@ -99,7 +99,7 @@ class ProgressFile {
     double spare_ = 0.0;
 };
 
-/// What the file in a folder says; nothing when there is none, or none that this program wrote.
+/// State that the file in a folder holds; nothing when there is none, or none that this program wrote.
 std::optional<ProgressState> read_progress_file(const std::filesystem::path& directory);
 
 }  // namespace musim::lsdem

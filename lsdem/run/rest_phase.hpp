@@ -10,13 +10,13 @@
 
 namespace musim::lsdem {
 
-/// What is reported in a rest phase, at every check; either may be empty.
+/// Reports in a rest phase, at every check; either may be empty.
 struct RestPhaseWatch {
     std::function<void(double, std::uint64_t)> on_progress = {};  ///< a guess of the part that is done, 0 to 1, and the steps taken
     std::function<void(const RestPhaseState&, const Simulation&)> on_state = {};  ///< where it stands
 };
 
-/// How a rest phase ended.
+/// End of a rest phase.
 struct RestPhaseEnd {
     Rest rest;
     Vector3 moved = Vector3::Zero();  ///< displacement of the base since the start of the stage [m]

@@ -23,7 +23,7 @@ bool starts_at_rest(const Specimen& specimen);
 /// that are listed at rest on a base that moves, without a word on their preparation.
 bool seeks_equilibrium(const Scene& scene, const Specimen& upright);
 
-/// How the specimen of a scene is prepared: as the scene says, else layer by layer when blocks differ in height, else as drawn.
+/// Preparation of the specimen of a scene: as the scene says, else layer by layer when blocks differ in height, else as drawn.
 /// Velocities decay at the scene's rate, else at that of choose_damping_rate for the first block.
 PreparationSettings find_preparation(const Scene& scene, const Specimen& upright);
 
@@ -50,7 +50,7 @@ LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings = {});
 /// for one that has collapsed meanwhile (Rest::collapsed): nothing can be compared with it.
 std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, int threads);
 
-/// What an automatic step does when the spine's rate asks for more than one sample a step: every step is a sample; or steps are shortened,
+/// Choice of an automatic step when the spine's rate asks for more than one sample a step: every step is a sample; or steps are shortened,
 /// so that runs with steps of their own are sampled at the same times.
 enum class Sampling { every_step, at_rate };
 

@@ -21,7 +21,7 @@ namespace {
 using scaling::Direction;
 using scaling::StructureProperties;
 
-/// Of listed blocks the first that moves, else the first; nothing for other structures.
+/// First listed block that moves, else the first of all; nothing for other structures.
 const BlockEntry* find_listed(const Scene& scene) {
     const auto* list = std::get_if<BlockList>(&scene.structure);
     if (list == nullptr) return nullptr;

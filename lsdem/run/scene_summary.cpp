@@ -79,7 +79,7 @@ void plan_motions(const Scene& scene, SceneSummary& summary) {
     summary.specimen = std::move(sequence.specimen);
 }
 
-/// How blocks begin, for people.
+/// Beginning of the blocks, for people.
 std::string describe_start(const Scene& scene, const SceneSummary& summary, const PreparationSettings& settings) {
     using Begins = SceneStanding::Begins;
     switch (summary.standing.begins) {

@@ -15,7 +15,7 @@
 #include "lsdem/run/standing.hpp"
 #include "lsdem/scene/scene.hpp"
 
-/// What musim understands of a scene, before it is run.
+/// Summary of a scene as musim understands it, before it is run.
 namespace musim::lsdem {
 
 /// Blocks of one shape and material.
@@ -67,7 +67,7 @@ inline constexpr double kLargeOutput = 1e9;
 /// plan_sequence.
 SceneSummary summarize_scene(const Scene& scene);
 
-/// How long a run takes on this machine, from steps of the very model.
+/// Time that a run takes on this machine, from steps of the very model.
 struct RunTimeEstimate {
     std::uint64_t steps = 0;  ///< measured, from the blocks as drawn, as the motion begins
     double seconds = 0.0;     ///< that they took

@@ -47,7 +47,7 @@ std::string write_per_area(const scaling::Stiffness& stiffness, const SceneSumma
     return write<scaling::StiffnessPerArea>(stiffness.value() / summary.stiffness_base.value());
 }
 
-/// What a pair of materials has of its own.
+/// Properties that a pair of materials has of its own.
 std::string describe_pair(const PairEntry& pair, const SceneSummary& summary) {
     std::vector<std::string> parts;
     if (pair.normal_stiffness) parts.push_back("K_n " + write_per_area(*pair.normal_stiffness, summary));

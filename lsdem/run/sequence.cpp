@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// How long a structure that stands takes to come to rest, over 1/α, until it has been seen: its energy decays by about that rate, from
+/// Time that a structure that stands takes to come to rest, over 1/α, until it has been seen: its energy decays by about that rate, from
 /// what shaking leaves to Settling::rest, 1e-6 of it [-].
 constexpr double kRestLength = 14.0;
 
@@ -37,7 +37,7 @@ double steps_of(const SequencePlan& plan) {
     return steps;
 }
 
-/// How its specimen is prepared and where its checkpoints go.
+/// Settings of a stage's run: the preparation of its specimen, and the place of its checkpoints.
 RunSettings find_run_settings(const Scene& scene, const SequencePlan& plan, const SequenceSettings& settings) {
     return {.threads = settings.threads,
             .observer = settings.observer,
@@ -146,7 +146,7 @@ class Sequence {
     }
     double work_before(std::size_t stage) const { return work_of(0, stage); }
     double work_after(std::size_t stage) const { return work_of(stage + 1, plan_.stages.size()); }
-    /// What is left is known better and better: the part that is reported never falls for that.
+    /// Progress of all; what is left is known better and better, and the part that is reported never falls for that.
     void report(double done, double left) {
         done_ = std::max(done_, done / (done + std::max(left, 0.0)));
         if (settings_.observer.on_progress) settings_.observer.on_progress(done_);
@@ -168,7 +168,7 @@ class Sequence {
         if (settings_.on_stage) settings_.on_stage(now.folder);
     }
 
-    /// Of the stages that were run, read back, so that it does not depend on how often the work was interrupted.
+    /// Summary of the stages that were run, read back, so that it does not depend on how often the work was interrupted.
     SequenceSummary summarize(std::size_t stages) {
         std::vector<StageFolder> folders;
         for (std::size_t k = 0; k < stages; ++k) folders.push_back({plan_.stages[k].name, plan_.stages[k].folder});

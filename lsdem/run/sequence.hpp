@@ -11,7 +11,7 @@
 /// Several motions one after another on the same structure, until it has collapsed.
 namespace musim::lsdem {
 
-/// How to carry out a sequence; none of it changes the results.
+/// Settings of carrying out a sequence; none of them changes the results.
 struct SequenceSettings {
     std::filesystem::path directory;                                ///< of all results
     std::string version;                                            ///< of the program

@@ -44,8 +44,8 @@ inline constexpr double kSeamlessVelocity = 1e-6;
 /// how it stops. Else as make_upright_specimen does.
 SequencePlan plan_sequence(const Scene& scene, Sampling sampling = Sampling::every_step);
 
-/// How the base comes to rest from `velocity` [m/s] before a rest phase: at the largest acceleration of the motion it ends, no harder than
-/// the motion itself. Requires that the motion has an acceleration.
+/// Motion in which the base comes to rest from `velocity` [m/s] before a rest phase: at the largest acceleration of the motion it ends, no
+/// harder than the motion itself. Requires that the motion has an acceleration.
 std::array<BaseComponent, 3> make_stop(const std::array<BaseComponent, 3>& motion, const Vector3& velocity);
 
 }  // namespace musim::lsdem

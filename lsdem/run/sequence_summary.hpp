@@ -11,7 +11,7 @@
 #include "lsdem/results/failure.hpp"
 #include "lsdem/results/spine_measures.hpp"
 
-/// What a sequence of motions did to a structure, stage by stage.
+/// Effect of a sequence of motions on a structure, stage by stage.
 namespace musim::lsdem {
 
 /// A stage of a sequence on disk.
@@ -20,7 +20,7 @@ struct StageFolder {
     std::string folder;  ///< within the directory of the sequence
 };
 
-/// What is left of motions at some moment, since some start.
+/// Residual of motions at some moment, since some start.
 struct Residual {
     Damage damage;
     std::vector<SpineLevel> spine;  ///< the residuals only; rotations in the plane of the stage's own strongest axis
@@ -53,7 +53,7 @@ struct SequenceSummary {
     std::vector<StageSummary> stages;
     std::optional<Failure> failure;  ///< of a collapse, since the start of the first stage; its time is that of the last stage
 
-    /// Of the last stage: "collapsed" when the structure has.
+    /// Status of the last stage: "collapsed" when the structure has.
     RunStatus status() const { return stages.back().status; }
     /// Duration of all motions that were run [s].
     double duration() const { return stages.back().start_time + stages.back().duration; }

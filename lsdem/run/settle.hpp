@@ -11,13 +11,14 @@ namespace musim::lsdem {
 /// Damping rate in which blocks come to rest soonest: half their frequency parameter p = √(3g/(4R)) about the longer lower edge
 /// [Housner63].
 ///
-/// What takes longest is a block that tips from nearly balanced to its resting face, and the sway of all. The former grows as exp(s t),
-/// s = √(p² + α²/4) − α/2: 0.62 p at α = p, 0.78 p at half of it, and like p²/α with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s
-/// for wood against p = 18.8 1/s [Harmon23, eq. 12], is eight times slower. Sway decays with α/2 up to twice its own frequency, 8 rad/s in
-/// a tower of 38 such layers, and slower beyond. `size`: of a block; `gravity` [m/s²].
+/// Damping rate α [1/s] at which a structure comes to rest soon. What takes longest is a block that tips from nearly balanced to its
+/// resting face, and the sway of all. The former grows as exp(s t), s = √(p² + α²/4) − α/2: 0.62 p at α = p, 0.78 p at half of it, and like
+/// p²/α with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s for wood against p = 18.8 1/s [Harmon23, eq. 12], is eight times slower.
+/// Sway decays with α/2 up to twice its own frequency, 8 rad/s in a tower of 38 such layers, and slower beyond. `size`: of a block;
+/// `gravity` [m/s²].
 double choose_damping_rate(const Vector3& size, double gravity);
 
-/// What is reported and asked while a simulation comes to rest, at every check, in this order; any may be empty.
+/// Reports and questions while a simulation comes to rest, at every check, in this order; any may be empty.
 struct SettlingWatch {
     /// Given a guess of the part that is done, 0 to 1, never less than before, and the steps taken.
     std::function<void(double, std::uint64_t)> on_progress = {};

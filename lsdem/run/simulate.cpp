@@ -30,7 +30,7 @@ void reserve(History& history, const TimePlan& plan, std::size_t spine) {
     for (auto* series : {&history.spine_position, &history.spine_velocity, &history.spine_rotation}) series->reserve(samples * spine);
 }
 
-/// Of all blocks, none fallen.
+/// Falls of all blocks, none fallen yet.
 Falls make_falls(const Specimen& specimen, const Kinematics& start) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const std::size_t blocks = specimen.model.blocks.size();
@@ -114,7 +114,7 @@ void finish(RunResult& run, const Simulation& simulation) {
     update_status(run, simulation);
 }
 
-/// What follows from specimen and plan.
+/// Parts of the result that follow from specimen and plan.
 void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
     run.time_step = plan.time_step;
     run.critical_time_step = find_critical_time_step(specimen.model);

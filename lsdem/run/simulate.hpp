@@ -36,7 +36,7 @@ struct RunObserver {
     std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
 };
 
-/// How to carry out a run; none of it changes the results.
+/// Settings of carrying out a run; none of them changes the results.
 struct RunSettings {
     int threads = 1;  ///< 0: all cores
     RunObserver observer = {};
@@ -57,7 +57,7 @@ BlockTable make_block_table(const Specimen& specimen);
 /// rotations count from rest. Throws std::invalid_argument as Simulation does.
 RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {});
 
-/// What a run starts with besides its specimen, when it is one of several on the same structure.
+/// State that a run starts with besides its specimen, when it is one of several on the same structure.
 struct RunStart {
     std::optional<Rest> rest = {};           ///< how the structure came to rest before it; nothing when it was not to
     std::optional<StageOrigin> origin = {};  ///< of a later stage

@@ -34,7 +34,7 @@ std::vector<double> find_work(const std::vector<std::optional<detail::FileLock>>
 
 std::filesystem::path checkpoint_of(const std::filesystem::path& file) { return file.string() + ".checkpoint"; }
 
-/// What a preparation of the same specimen that was killed has left.
+/// State that a killed preparation of the same specimen has left.
 std::optional<PreparationState> find_unfinished(const SpecimenBatch& batch, const CheckpointSettings& checkpoint) {
     if (!std::filesystem::exists(checkpoint.file)) return std::nullopt;
     try {
@@ -46,7 +46,8 @@ std::optional<PreparationState> find_unfinished(const SpecimenBatch& batch, cons
     return std::nullopt;
 }
 
-/// Of a specimen that is not there yet: it is this process's, and what killed ones have left beside it, besides the checkpoint, is gone.
+/// Lock of a specimen that is not there yet: it is this process's, and what killed ones have left beside it, besides the checkpoint, is
+/// gone.
 std::optional<detail::FileLock> keep_missing(const std::filesystem::path& file) {
     std::optional<detail::FileLock> lock;
     if (std::filesystem::exists(file)) return lock;

@@ -54,7 +54,7 @@ void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::p
     refuse(file, "not a specimen (musim specimen makes them); name another file");
 }
 
-/// What friction of the contacts of a specimen holds, at the weights of `model`.
+/// Friction of the contacts of a specimen, at the weights of `model`.
 std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::filesystem::path& file, const Model& model) {
     const auto leader = reader.read<long long>("/contacts/leader", 1), follower = reader.read<long long>("/contacts/follower", 1);
     const auto friction = reader.read<double>("/contacts/friction_over_block_weight", 2);
@@ -82,7 +82,7 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
     return preloads;
 }
 
-/// What a file says of n blocks; nothing where it is of another number, or its lists differ in length.
+/// State of n blocks in a file; nothing where it is of another number, or its lists differ in length.
 std::optional<StoredSpecimen> read_blocks(const detail::Hdf5Reader& reader, std::size_t n) {
     const auto size = reader.read<double>("/blocks/size", 2), position = reader.read<double>("/blocks/position", 2);
     const auto quaternion = reader.read<double>("/blocks/quaternion", 2);

@@ -22,7 +22,7 @@ std::string specimen_file_name(const std::string& inputs);
 void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
                     const std::string& version);
 
-/// What a specimen file holds of its blocks and what they hold each other with.
+/// State of the blocks and contacts in a specimen file.
 struct StoredSpecimen {
     std::string inputs;           ///< see describe_inputs
     std::string program_version;  ///< that made it

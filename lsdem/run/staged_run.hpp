@@ -22,8 +22,8 @@ struct StagedMotion {
     std::uint64_t samples() const;  ///< of all stages, after the one at t = 0
 };
 
-/// What the next stage takes over from one that has reached its end. `rest_phase`: how it came to rest between them; nothing when it did
-/// not.
+/// Start of the next stage, taken over from one that has reached its end. `rest_phase`: how it came to rest between them; nothing when it
+/// did not.
 RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t stage, const RunResult& run,
                  const std::optional<RestPhaseEnd>& rest_phase);
 

@@ -18,7 +18,7 @@ using nlohmann::json;
 
 std::string write_length(double length) { return scaling::format_quantity(scaling::Length::from_value(length), 3); }
 
-/// What is missing to a block.
+/// Force and moment that a block lacks, in words.
 std::string describe_need(const BlockHelp& help) {
     if (!help.touches) return "nothing touches it";
     if (!(help.force > kInEquilibrium)) return fmt::format("its weight acts {} beside what could bear it", write_length(help.arm));

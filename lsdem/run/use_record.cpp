@@ -11,7 +11,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// What measures of a component are taken from: many instruments add an offset, in which a weak motion would drown.
+/// Series from which measures of a component are taken: many instruments add an offset, in which a weak motion would drown.
 records::TimeSeries level(const records::GroundMotion& motion, const records::Component& component) {
     return records::level_uncorrected(component.series, motion.integration_corner);
 }

@@ -15,7 +15,7 @@ struct WatchedRun {
     ProgressState state;  ///< as reported last
 };
 
-/// What becomes of a folder of results.
+/// State of a folder of results.
 enum class FolderState {
     empty,     ///< nothing works there and nothing has
     working,   ///< a musim works there
@@ -23,7 +23,7 @@ enum class FolderState {
     finished,  ///< with results
 };
 
-/// What someone who looks into a folder of results from outside sees: of a run, a pair, a sequence, or an ensemble and its members.
+/// View of a folder of results from outside: of a run, a pair, a sequence, or an ensemble and its members.
 struct WatchedFolder {
     FolderState state = FolderState::empty;
     std::vector<WatchedRun> runs;  ///< those that reported their state, by name
