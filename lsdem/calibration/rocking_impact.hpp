@@ -7,7 +7,7 @@
 
 #include "lsdem/calibration/block_sample.hpp"
 
-/// What a rocking block loses at an impact, against the coefficient of restitution of its contacts [Harmon23, appendix].
+/// Loss of a rocking block at an impact, against the coefficient of restitution of its contacts [Harmon23, appendix].
 namespace musim::lsdem {
 
 /// The side along which the block rocks: pivots are b or w apart.

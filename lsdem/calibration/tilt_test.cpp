@@ -50,7 +50,7 @@ Slope make_slope(const BlockSample& sample, const TiltCase& test) {
             .friction = test.support == TiltSupport::ground ? sample.ground_friction : sample.friction};
 }
 
-/// What presses a block on the slope [N].
+/// Force that presses a block on the slope [N].
 double pressing_force(const BlockSample& sample, double angle) { return sample.mass() * sample.gravity * std::cos(angle); }
 
 /// The model at an angle: the block in the equilibrium of its normal springs, on the ground or on a fixed block twice as large.
@@ -111,7 +111,7 @@ double fall_on_springs(const BlockSample& sample, const Slope& slope) {
     return angle;
 }
 
-/// What happens at an angle; nothing when the block stays.
+/// Event at an angle; nothing when the block stays.
 std::optional<TiltEvent> watch(const BlockSample& sample, const TiltCase& test, const Slope& slope, double angle, double resolution) {
     Model model = make_tilted_model(sample, test, slope, angle);
     const double length = test.pose == TiltPose::lying ? slope.extent.x() : std::min(slope.extent.x(), least_base(sample, slope, angle));

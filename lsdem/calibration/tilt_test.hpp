@@ -7,16 +7,16 @@
 /// Friction from an incline that is tilted until the block on it moves [Harmon23, 4.3].
 namespace musim::lsdem {
 
-/// What the block stands on.
+/// Support that the block stands on.
 enum class TiltSupport { ground, block };
 
-/// How the block stands: on its largest face, so that it cannot topple before it slips, or upright.
+/// Pose of the block: on its largest face, so that it cannot topple before it slips, or upright.
 enum class TiltPose { lying, upright };
 
 /// Which way is downhill: along the side w, or across it: along H of a lying block, along b of an upright one.
 enum class TiltSide { wide, other };
 
-/// What the block did first.
+/// First event of the block.
 enum class TiltEvent { slips, topples };
 
 std::string to_string(TiltSupport support);

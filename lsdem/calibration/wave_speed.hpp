@@ -57,8 +57,9 @@ WaveHistory run_wave_test(const BlockSample& sample, WaveKind kind, const WaveSe
 /// Least-squares fit of height over arrival time, between the layers 5 and 30 of 38 (the same fractions of another number).
 WaveSpeed measure_wave_speed(const BlockSample& sample, WaveKind kind, const WaveSettings& settings);
 
-/// What the criterion gives over c0 for an ideal chain of as many layers [Schroedinger14]: masses and lossless springs, integrated with
-/// 0.01/ω0. 38 layers: 0.9885 for half of the velocity, 1.0083 for the displacement; between the two end layers alone 0.9878 and 1.0077.
+/// Speed that the criterion gives over c0 for an ideal chain of as many layers [Schroedinger14]: masses and lossless springs, integrated
+/// with 0.01/ω0. 38 layers: 0.9885 for half of the velocity, 1.0083 for the displacement; between the two end layers alone 0.9878 and
+/// 1.0077.
 double compute_front_factor(const WaveSettings& settings);
 
 /// A stiffness found for a target speed.

@@ -37,7 +37,7 @@ struct ViewBounds {
     double height() const { return top - bottom; }
 };
 
-/// Of all bodies.
+/// Bounds of all bodies.
 ViewBounds find_bounds(const std::vector<DrawnBody>& bodies, const BoxView& view);
 
 /// Where a view stands in a picture: one metre is `scale` px, the view's origin at (x, y) [px].

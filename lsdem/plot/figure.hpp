@@ -28,13 +28,14 @@ struct KeyRow {
     std::vector<std::string> cells;
 };
 
-/// What the styles of curves are made for.
+/// Purpose of the styles of curves.
 enum class CurveStyles {
     apart,  ///< all different, the first six in grey too
     pairs,  ///< an even style is a broad pale line, the next one thin dashes of its colour that can lie on it
 };
 
-/// How many styles differ, counted from 0: 18 apart (six colours by three dashes each), 10 in pairs (five colours). Later ones repeat them.
+/// Number of styles that differ, counted from 0: 18 apart (six colours by three dashes each), 10 in pairs (five colours). Later ones repeat
+/// them.
 std::size_t count_styles(CurveStyles styles);
 
 /// Panels in columns of one height under a key that is a table, for print at the width of a page.

@@ -123,7 +123,7 @@ void append_path(std::string& path, const std::vector<PicturePoint>& points) {
     }
 }
 
-/// What lies between y_low and y.
+/// Area between y_low and y.
 void draw_filled(std::string& svg, const PlotSeries& series, const LineStyle& style, const Axis& x_axis, const Axis& y_axis) {
     std::vector<PicturePoint> upper, lower;
     for (std::size_t i = 0; i < series.x.size(); ++i) {

@@ -43,7 +43,7 @@ struct PicturePoint {
     friend bool operator==(const PicturePoint&, const PicturePoint&) = default;
 };
 
-/// What can be seen of a path: of more than two points in a row in the same pixel column only the lowest and the highest, in their order.
+/// Visible points of a path: of more than two points in a row in the same pixel column only the lowest and the highest, in their order.
 /// So a column has two points at most each time the path enters it, peaks stay, and a path without such rows stays as it is.
 std::vector<PicturePoint> thin_path(const std::vector<PicturePoint>& path);
 
@@ -56,7 +56,7 @@ using FindStyle = LineStyle (*)(std::size_t index);
 /// The look of every series of `plot`: by its style, or else by its place among those without one.
 std::vector<LineStyle> find_styles(const LinePlot& plot, FindStyle find_style);
 
-/// How a panel stands among others.
+/// Place of a panel among others.
 struct PanelPlace {
     PanelFrame frame;
     DataRange x_range;      ///< of its horizontal axis, as it is drawn

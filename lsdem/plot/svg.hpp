@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// What all pictures of musim share: text, lines, colours, round numbers.
+/// Parts that all pictures of musim share: text, lines, colours, round numbers.
 namespace musim::lsdem::detail {
 
 /// Linear map of data to pixels.
@@ -19,7 +19,7 @@ struct PlotAxis {
     double operator()(double value) const { return pixel_min + (value - data_min) / (data_max - data_min) * (pixel_max - pixel_min); }
 };
 
-/// How a curve is drawn.
+/// Look of a curve.
 struct LineStyle {
     const char* color;
     double width;
@@ -76,7 +76,7 @@ void draw_upward_text(std::string& svg, double x, double y, const std::string& t
 /// Line from (x1, y1) to (x2, y2) [px]; `style`: further attributes.
 void draw_line(std::string& svg, double x1, double y1, double x2, double y2, const char* style);
 
-/// What one direction of a frame means, for programs that read values off a picture.
+/// Meaning of one direction of a frame, for programs that read values off a picture.
 struct FrameAxis {
     double low = 0.0, high = 1.0;  ///< at its left or lower end, and at the other; decimal logarithms when it is logarithmic
     bool logarithmic = false;

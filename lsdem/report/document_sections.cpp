@@ -33,7 +33,7 @@ HtmlCell make_cell(const std::string& key, const json& value) {
     return {.text = list};
 }
 
-/// What a row is about comes first.
+/// Keys that name a row, which come first.
 constexpr std::array kFirst{"group", "name", "quantity", "law", "label", "component", "file"};
 
 std::vector<std::string> list_plain_keys(const json& list) {
@@ -69,7 +69,7 @@ bool holds_objects(const json& value) {
     return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), [](const json& one) { return one.is_object(); });
 }
 
-/// What is inside of an object's or a list's members, each under a caption of its own.
+/// Contents of an object's or a list's members, each under a caption of its own.
 std::string describe_inside(const json& object, const std::string& caption) {
     std::string html;
     for (const auto& [key, inner] : object.items()) {

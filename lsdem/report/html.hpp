@@ -9,13 +9,13 @@ namespace musim::lsdem {
 /// Text with the characters that HTML reserves replaced, also for attributes.
 std::string escape_html(const std::string& text);
 
-/// How a statement is marked: by colour and by a word.
+/// Tone of a statement, shown by colour and by a word.
 enum class Tone { plain, good, note, warning, bad };
 
 /// "good", "note", "warning", "bad"; empty for plain. Also the class of the style sheet.
 std::string to_string(Tone tone);
 
-/// Of the severity of a distortion or of how a run ended, in words; `otherwise` for other words.
+/// Tone of the severity of a distortion or of a run's end, in words; `otherwise` for other words.
 Tone find_tone(const std::string& word, Tone otherwise);
 
 /// A sentence of a verdict and how good the news is.

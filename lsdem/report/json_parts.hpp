@@ -24,7 +24,7 @@ inline nlohmann::json find_list(const nlohmann::json& object, const std::string&
     return find_part(object, key, nlohmann::json::array());
 }
 
-/// Of a list; not a number where an entry is none.
+/// Numbers of a list; NaN where an entry is none.
 inline std::vector<double> to_numbers(const nlohmann::json& list) {
     std::vector<double> numbers;
     if (!list.is_array()) return numbers;

@@ -29,7 +29,7 @@ constexpr double kFourierDecades = 5.0;
 /// Over the rows of measures.
 const std::vector<std::string> kKeyHeadings{"component", "PGA [g]", "PGV [cm/s]", "PGD [cm]", "Arias [m/s]", "D5-95 [s]"};
 
-/// How a kind of curve is drawn, and named in files.
+/// Texts of a kind of curve, in pictures and files.
 struct CurveTexts {
     const char* title;
     const char* y_label;
@@ -172,7 +172,7 @@ std::vector<Integration> find_integrations(const std::vector<ComponentCurves>& c
     return ways;
 }
 
-/// How the records were integrated, and which ones so unless all were alike.
+/// Integration of the records, and which ones so unless all were alike.
 std::string describe_integration(const RecordFigure& figure) {
     const std::vector<Integration> ways = find_integrations(figure.components);
     const bool alike = ways.size() == (figure.model_of ? 2 : 1);

@@ -21,7 +21,7 @@ struct RecordFigure {
     std::optional<scaling::ModelScales> model_of = {};      ///< of the models
 };
 
-/// How curves of components, or of prototypes and their models, are distinguished.
+/// Styles that distinguish curves of components, or of prototypes and their models.
 CurveStyles find_styles(bool with_models);
 
 /// Event and station, as far as the record names them, or else its file.

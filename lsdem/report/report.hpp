@@ -29,7 +29,7 @@ std::vector<ReportSection> make_sections(const ReportContent& content);
 /// The main result in a sentence or two with its numbers: of a pair, a sequence or the runs together; of each ensemble. Empty when there is
 /// no run.
 std::vector<Statement> make_headlines(const ReportContent& content);
-/// What one should know first: the main result, then warnings and what is missing; folded below them how each run ended.
+/// Verdict, which one should know first: the main result, then warnings and what is missing; folded below them how each run ended.
 ReportSection make_verdict_section(const ReportContent& content);
 
 /// The runs' blocks in 3D, side by side in the time of the first, with all that steers them; what is rounded, and by how much. Without
@@ -56,7 +56,7 @@ std::vector<ReportFigure> make_ensemble_figures(const std::vector<ReportedEnsemb
 
 /// Records as files hold them: histories, peaks, spectra, one figure a file.
 ReportSection make_record_section(const ReportContent& content);
-/// What shook the base of each run, and what it comes from: the motion divided by the factors that its scene applied to the record, with
+/// Base motion of each run, and its source: the motion divided by the factors that its scene applied to the record, with
 /// histories and spectra of both. Accelerations are means between two samples of the run. Nothing for runs whose base stands.
 std::optional<ReportSection> make_base_motion_section(const ReportContent& content);
 
@@ -65,9 +65,9 @@ ReportSection make_specimen_section(const ReportContent& content);
 /// Specimens as runs that stand, for pictures of their blocks.
 std::vector<ReportedRun> make_standing_runs(const std::vector<ReportedSpecimen>& specimens);
 
-/// What musim scale, pi, design, record and others printed with --json: everything in it, as tables.
+/// Output that musim scale, pi, design, record and others printed with --json: everything in it, as tables.
 ReportSection make_document_section(const ReportedDocument& document, std::size_t number);
-/// How distorted the document's model is; that the document was read, if it has none.
+/// Distortion of the document's model in a sentence; that the document was read, if it has none.
 std::string make_document_verdict(const ReportedDocument& document);
 /// Any JSON as tables: an object's plain values under `caption`, lists of objects with a column per key, what is inside below under
 /// captions of its own.

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file holds; null when it is no JSON.
+/// JSON of a file; null when it is none.
 nlohmann::json read_json(const fs::path& file) {
     try {
         return scaling::parse_json_text(scaling::read_regular_file(file).value_or(""));
@@ -68,7 +68,7 @@ class Reader {
         }
     }
 
-    /// What a command has written to be read back; empty, with a remark, when it is damaged.
+    /// JSON that a command has written to be read back; empty, with a remark, when it is damaged.
     nlohmann::json read_object(const fs::path& file) {
         nlohmann::json object = nlohmann::json::object();
         attempt([&] { object = read_checked_json(file); });
@@ -92,7 +92,7 @@ class Reader {
         content.runs.push_back(std::move(reported));
     }
 
-    /// Of a pair. Its scale stands in its summary; without it the model's curves would be drawn at the prototype's.
+    /// Model of a pair. Its scale stands in its summary; without it the model's curves would be drawn at the prototype's.
     void add_model(const fs::path& folder, const std::string& label) {
         const std::size_t before = content.runs.size();
         add_run(folder, label);
@@ -247,7 +247,7 @@ class Reader {
     const RecordReader& read_record_;
 };
 
-/// Of what was not run.
+/// Title of inputs that were not run.
 std::string make_title_without_runs(const ReportContent& content) {
     const std::size_t many = content.specimens.size() + content.records.size() + content.documents.size();
     if (many == 0) return "nothing";

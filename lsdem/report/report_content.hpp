@@ -31,7 +31,7 @@ struct ReportedRecord {
     records::GroundMotion motion;
 };
 
-/// What another command has printed with --json, into a file.
+/// Output that another command has printed with --json, into a file.
 struct ReportedDocument {
     std::string label;  ///< its file
     nlohmann::json json;
@@ -51,7 +51,7 @@ struct ReportedEnsemble {
     std::optional<DimensionlessBands> bands = {};  ///< nothing when no member is a result, or nothing makes them dimensionless
 };
 
-/// What the runs of a report have to do with each other.
+/// Relation of the runs of a report to each other.
 enum class ReportKind {
     run,       ///< one
     runs,      ///< several that were named together

@@ -24,7 +24,7 @@ bool are_of_several_scales(const std::vector<ReportedRun>& runs) {
                        [&](const ReportedRun& run) { return run.run.similitude.length() != runs.front().run.similitude.length(); });
 }
 
-/// What stands below the title of a plot: whose it is.
+/// Subtitle of a plot: whose it is.
 std::string describe_runs(const std::vector<ReportedRun>& runs) {
     if (runs.size() == 1) return runs.front().label;
     return are_of_several_scales(runs) ? fmt::format("scaled back to {}", runs.front().label) : fmt::format("{} runs", runs.size());

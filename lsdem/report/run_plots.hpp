@@ -18,7 +18,7 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
 std::optional<ReportFigure> make_departure_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair,
                                                   const std::string& name);
 
-/// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Models that
+/// Difference of each model from the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Models that
 /// never differ are left out, and those that sample at other dimensionless times; nothing when none is left.
 std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs);
 
@@ -30,7 +30,7 @@ std::optional<ReportFigure> make_lag_figure(const ReportedRun& run);
 /// 10].
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs);
 
-/// How the tilts of blocks are distributed over the levels of a structure at its start [Harmon23, Fig. 6]: of each level the median, what
+/// Distribution of the blocks' tilts over the levels of a structure at its start [Harmon23, Fig. 6]: of each level the median, what
 /// nine of ten blocks stay below, and the largest [degrees]. `layer` and `tilt` [rad] have an entry per block; blocks in layer 0 are in
 /// none. `whose` stands below the title.
 ReportFigure make_tilt_figure(const std::string& name, const std::string& whose, const std::vector<int>& layer,
@@ -39,7 +39,7 @@ ReportFigure make_tilt_figure(const std::string& name, const std::string& whose,
 /// Energies of one run over time, gravitational energy from its start.
 ReportFigure make_energy_figure(const ReportedRun& run);
 
-/// What interfaces dissipated, level by level, over all. Nothing for results without it.
+/// Energy that interfaces dissipated, level by level, over all. Nothing for results without it.
 std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& runs);
 
 }  // namespace musim::lsdem

@@ -82,7 +82,7 @@ HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
     return table;
 }
 
-/// How far the others' means lie in the first one's band.
+/// Share of the others' means that lie in the first one's band.
 HtmlTable make_overlap_table(const std::vector<DimensionlessBands>& bands) {
     HtmlTable table{.caption = fmt::format("Agreement with {}, dimensionless", bands.front().name),
                     .heads = {"ensemble", "levels and times", "means within mean ± sd [%]", "within two standard errors [%]", "why not"}};

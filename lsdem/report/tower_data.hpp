@@ -8,7 +8,7 @@
 
 namespace musim::lsdem {
 
-/// How far what a browser shows may be from what was stored, by the rounding of frames.
+/// Largest distances of what a browser shows from what was stored, by the rounding of frames.
 struct TowerRounding {
     double displacement = 0.0;  ///< of a centre along an axis, at most [m]
     double rotation = 0.0;      ///< of a component of the rotation vector, at most [rad]

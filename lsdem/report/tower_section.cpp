@@ -18,7 +18,7 @@ fs::path three_script() { return fs::path(kThreeFolder) / "three.min.js"; }
 fs::path controls_script() { return fs::path(kThreeFolder) / "examples/js/controls/OrbitControls.js"; }
 bool has_three() { return fs::exists(three_script()) && fs::exists(controls_script()); }
 
-/// What the licence of three.js wants beside every copy of it.
+/// Text that the licence of three.js wants beside every copy of it.
 constexpr const char* kThreeLicence = R"(<!--
 three.js and its OrbitControls, Copyright 2010-2019 three.js authors, The MIT License:
 Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the

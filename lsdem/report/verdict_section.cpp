@@ -67,7 +67,7 @@ Statement make_ensemble_headline(const ReportedEnsemble& ensemble) {
     return {failed > 0 || members.empty() ? Tone::bad : collapsed > 0 ? Tone::warning : Tone::good, text + "."};
 }
 
-/// What the top did against the base, at the scale of the run; empty when it was not kept.
+/// Displacement of the top against the base in words, at the scale of the run; empty when it was not kept.
 std::string describe_top(const ReportedRun& run) {
     const nlohmann::json top = find_object(find_object(run.summary, "outcome"), "top");
     const double peak = find_number(top, "peak_displacement_m"), residual = find_number(top, "residual_displacement_m");
@@ -140,7 +140,7 @@ void add_run(std::vector<Statement>& statements, const ReportedRun& run) {
     for (const std::string& warning : run.run.warnings) statements.push_back({Tone::warning, run.label + ": " + warning});
 }
 
-/// What the headline leaves out of a pair's verdict, and how each model stands to the prototype.
+/// Rest of a pair's verdict, which the headline leaves out, and the relation of each model to the prototype.
 void add_pair(std::vector<Statement>& statements, const nlohmann::json& pair) {
     std::size_t sentence = 0;
     for (const nlohmann::json& line : find_list(pair, "verdict")) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What is in lsdem/report/web, as text; made part of the program when it is built.
+/// Files of lsdem/report/web, as text; made part of the program when it is built.
 namespace musim::lsdem {
 
 extern const char* const kReportStyle;   ///< report.css

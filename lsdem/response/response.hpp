@@ -22,7 +22,7 @@ struct ResponseSettings {
     std::optional<std::array<double, 2>> window;  ///< part of the histories for the speeds [s]; nothing: all
 };
 
-/// What makes the speeds dimensionless; from the scene that the run carries.
+/// Scales that make the speeds dimensionless; from the scene that the run carries.
 struct SpeedScales {
     double friction = 0.0;       ///< μ of the scene's material [-]
     double gravity = 0.0;        ///< [m/s²]

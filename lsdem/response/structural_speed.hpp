@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// How fast motion travels up a structure, from velocity histories at several heights.
+/// Speed at which motion travels up a structure, from velocity histories at several heights.
 namespace musim::lsdem {
 
 /// Velocities at several heights, sampled at the same even times.

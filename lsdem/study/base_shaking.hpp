@@ -8,7 +8,7 @@
 
 namespace musim::lsdem {
 
-/// How the base of a model moves as its prototype's does: v_M(τ t) = ν v_P(t), along z with a ν of its own.
+/// Motion of a model's base as its prototype's: v_M(τ t) = ν v_P(t), along z with a ν of its own.
 struct BaseShaking {
     std::optional<double> time;               ///< τ [-]; nothing where every component is a step, which has no time
     std::optional<double> velocity;           ///< ν of x and y [-]; nothing where neither moves

@@ -20,7 +20,7 @@ struct DimensionlessBands {
 /// Reads DIR/ensemble.h5. Throws ResultError when it is missing, damaged, or without friction or gravity to be dimensionless by.
 DimensionlessBands read_bands(const std::filesystem::path& directory);
 
-/// How far two ensembles agree, over all levels and those times of the first at which both have two members.
+/// Agreement of two ensembles, over all levels and those times of the first at which both have two members.
 struct BandOverlap {
     std::size_t points = 0;     ///< levels times times
     double within_sd = 0.0;     ///< fraction of them at which the second's mean lies within mean ± sd of the first

@@ -11,7 +11,7 @@ namespace musim::lsdem {
 /// measurement. Changes what is reported, not the verdict.
 inline constexpr double kPartingLevel = 1e-3;
 
-/// How far a model's run, scaled back, lies from its prototype's.
+/// Difference of a model's run, scaled back, from its prototype's.
 struct RunDifference {
     /// √(Σ_t |v_M/λ_v − v_P|² / Σ_t |v_P|²) of the spine block where it is largest, v_M at t/λ_t [-].
     double rms_velocity = 0.0;

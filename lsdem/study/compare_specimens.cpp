@@ -63,7 +63,7 @@ ListedSpecimen read_specimen_entry(const nlohmann::json& entry, const std::files
     return specimen;
 }
 
-/// Of one quantity of a layer, its mean over a group of them, for every specimen.
+/// Mean of one quantity of a layer over a group of layers, for every specimen.
 class GroupMeans {
   public:
     GroupMeans(int first, int last, double LayerState::*quantity) : first_(first), last_(last), quantity_(quantity) {}

@@ -29,7 +29,7 @@ std::string explain(MemberStatus status, const StoredRun& run) {
 
 Eigen::ArrayXd one(double value) { return Eigen::ArrayXd::Constant(1, value); }
 
-/// What counts of a member that stands to the end.
+/// Response of a member that stands to the end.
 void add_response(EnsembleSummary& summary, const Response& response) {
     if (summary.levels.empty()) {
         summary.levels.resize(response.spine.size());

@@ -43,7 +43,7 @@ class BandSum {
     std::vector<SampleMoments> velocity_;  ///< per sample, three components per level
 };
 
-/// How a member ended. Only `completed` and `collapsed` are results; `unsettled` did not come to rest before t = 0, `failed` has none.
+/// End of a member. Only `completed` and `collapsed` are results; `unsettled` did not come to rest before t = 0, `failed` has none.
 enum class MemberStatus { completed, collapsed, diverged, unsettled, failed };
 
 /// "completed", "collapsed", "diverged", "unsettled" or "failed".
@@ -76,7 +76,7 @@ struct SpeedMoments {
     SampleMoments speed{1};  ///< [m/s]
 };
 
-/// What an ensemble shows.
+/// Summary of an ensemble.
 struct EnsembleSummary {
     std::string name;                   ///< of the scene
     int axis = 0;                       ///< 0, 1, 2: x, y, z of the main motion

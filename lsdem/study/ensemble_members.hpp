@@ -33,13 +33,13 @@ EnsembleMember make_member(Scene scene, const std::string& version);
 /// Where a member's results go: DIR/members/NAME.
 std::filesystem::path member_folder(const std::filesystem::path& directory, const EnsembleMember& member);
 
-/// How far a member has come.
+/// Progress of a member.
 enum class MemberState { waiting, unfinished, finished };
 
 /// "waiting", "unfinished" (there is a checkpoint to go on from) or "finished".
 std::string to_string(MemberState state);
 
-/// What the member's folder says.
+/// State of a member by its folder.
 MemberState find_state(const std::filesystem::path& directory, const EnsembleMember& member);
 
 /// Are the results' scene and the member's the same but for the paths of files they name?
@@ -54,7 +54,7 @@ std::vector<SpecimenReport> use_specimens(std::vector<EnsembleMember>& members, 
 /// The same when all specimens are there. Throws ResultError for the first that is not.
 void use_prepared_specimens(std::vector<EnsembleMember>& members, const std::filesystem::path& folder, const std::string& version);
 
-/// How members are run; none of it changes their results.
+/// Settings of running members; none of them changes their results.
 struct MemberSettings {
     std::filesystem::path directory;               ///< of the ensemble; each member has its own folder in it
     std::string version;                           ///< of the program
@@ -64,7 +64,7 @@ struct MemberSettings {
     std::function<void(const std::string&)> on_no_checkpoint = {};  ///< Given the reason why one could not be written; from any thread
 };
 
-/// What became of a member.
+/// Report of a member.
 struct MemberReport {
     bool reused = false;   ///< its results were there before
     bool resumed = false;  ///< continued from a checkpoint

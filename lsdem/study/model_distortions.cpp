@@ -75,7 +75,7 @@ std::vector<double> find_slenderness(const BuiltScene& built, const std::vector<
     return all;
 }
 
-/// What two blocks have together where they meet (find_joint).
+/// Joint of two blocks where they meet (find_joint).
 Material find_contact(const Model& model, std::size_t a, std::size_t b) {
     return find_joint(model, model.blocks[a].material, model.blocks[b].material);
 }
@@ -112,7 +112,7 @@ const Distortion* find_group(const std::vector<Distortion>& all, const std::stri
     return found == all.end() ? nullptr : &*found;
 }
 
-/// What all kinds of blocks have alike once, the rest with their names.
+/// Distortions that all kinds of blocks have alike once, the rest with their names.
 std::vector<Distortion> join(const std::vector<BlockKind>& kinds, const std::vector<std::vector<Distortion>>& of_kinds) {
     std::vector<Distortion> joined;
     for (const std::vector<Distortion>& all : of_kinds) {

@@ -6,7 +6,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// What a tolerance of size 1 rounds to, the same number of metres at every scale: the error itself.
+/// Unit to which a tolerance of size 1 rounds, the same number of metres at every scale: the error itself.
 constexpr double kToleranceUnit = 1e-3;
 
 template <class Property>

@@ -7,7 +7,7 @@
 
 namespace musim::lsdem {
 
-/// How it is known by which law a model is shaken.
+/// Source of the knowledge by which law a model is shaken.
 enum class LawSource {
     chosen,    ///< asked for, or the default of its materials
     scene,     ///< named by the model's scene for its record

@@ -17,9 +17,9 @@ namespace musim::lsdem {
 /// file is a folder, in which specimens and runs are kept. Throws as lay_specimen does, and SceneError for a scene without heights to draw.
 std::vector<RunTrace> run_other_specimens(const Scene& scene, const RunResult& prototype, std::size_t count, const RunSettings& settings);
 
-/// What a difference of an own model comes from: more than chance when twins, and other specimens, are so far from each other with a
-/// probability below this, for one of the quantities that are judged [-]. The usual level: of five specimens a smaller one would ask for
-/// six standard deviations.
+/// Probability below which a difference of an own model counts as more than chance: that twins, and other specimens, are so far from each
+/// other, for one of the quantities that are judged [-]. The usual level: of five specimens a smaller one would ask for six standard
+/// deviations.
 inline constexpr double kBeyondChance = 0.05;
 
 /// By what own models are judged, and what is said of exact ones: keys of quantities (QuantityCheck), and their names in sentences.

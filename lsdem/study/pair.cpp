@@ -31,7 +31,7 @@ struct Job {
     RunResult result = {};
 };
 
-/// Of one run, in the folder of all.
+/// Checkpoint of one run, in the folder of all.
 std::optional<CheckpointSettings> checkpoint_of(const RunSettings& settings, const PairMember& member) {
     std::optional<CheckpointSettings> own = settings.checkpoint;
     if (own) own->file /= name_folder(member.label) + ".checkpoint";

@@ -17,7 +17,7 @@
 
 namespace musim::lsdem {
 
-/// What one property of a model's own material does alone.
+/// Effect of one property of a model's own material alone.
 struct LoneDistortion {
     std::string property;  ///< "friction", "normal stiffness", "shear stiffness" or "restitution"
     double factor = 1.0;   ///< the property over what similitude asks for
@@ -52,7 +52,7 @@ struct PairedTwin {
     RunDifference difference;
 };
 
-/// How models are judged.
+/// Settings by which models are judged.
 struct PairSettings {
     std::optional<std::size_t> twins = {};  ///< nothing: none when models agree within rounding, else as many as decide, 2 to kMostTwins
     std::uint64_t seed = 1;                 ///< of the twins
@@ -73,7 +73,7 @@ struct PairStudy {
     RunResult prototype = {};
     std::vector<PairedTwin> twins = {};
     std::vector<RunTrace> twin_traces = {};  ///< in the order of the twins
-    /// Of every sample and spine block, as History has them: the largest |v_twin/λ_v − v_P| of each component [m/s].
+    /// Spread of the twins for every sample and spine block, as History has them: the largest |v_twin/λ_v − v_P| of each component [m/s].
     std::vector<Vector3> twin_spread = {};
     std::optional<bool> same_bits = {};       ///< does the image at a quarter of the length agree in every bit? nothing: not run
     std::optional<PairedRun> half_step = {};  ///< the prototype at half its step
@@ -82,11 +82,12 @@ struct PairStudy {
     std::optional<double> tolerance = {};        ///< by which a model may differ to be accepted, see judge_own [-]
 
     Yardstick yardstick() const { return {prototype, twin_traces}; }
-    /// Of the scaling itself: the image at a quarter of the length must agree in all bits, and images must not part earlier than copies.
+    /// Agreement of the scaling itself: the image at a quarter of the length must agree in all bits, and images must not part earlier than
+    /// copies.
     Agreement scaling() const;
     /// Are there models of this kind?
     bool has(Materials materials) const;
-    /// What is said of scaling and models together. Models of their own are not judged.
+    /// Agreement of scaling and models together. Models of their own are not judged.
     Agreement agreement() const;
     /// The scaling agrees, and every model that is not one of its own.
     bool consistent() const;

@@ -44,7 +44,7 @@ double find_least(const LinePlot& plot) {
     return least;
 }
 
-/// Of a pair with twins, where it lies within the run [s].
+/// Horizon of a pair with twins, where it lies within the run [s].
 std::optional<double> find_horizon(const PairStudy& study) {
     if (study.twin_traces.empty()) return std::nullopt;
     const Yardstick yardstick = study.yardstick();

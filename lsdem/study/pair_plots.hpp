@@ -13,14 +13,14 @@
 /// Pictures of a pair, and what is drawn in them.
 namespace musim::lsdem {
 
-/// What makes a specimen's motion dimensionless: time times √(μ g/l), velocities over √(μ g l) [Andrade22]; μ of the lowest block, 0 makes
-/// time and velocity dimensional. Elastic waves are left out.
+/// Scales that make a specimen's motion dimensionless: time times √(μ g/l), velocities over √(μ g l) [Andrade22]; μ of the lowest block, 0
+/// makes time and velocity dimensional. Elastic waves are left out.
 SpeedScales find_motion_scales(const Specimen& specimen);
 
 /// Indices of the spine blocks to show in a picture, bottom to top: at most ten, evenly chosen, the lowest and the highest among them.
 std::vector<std::size_t> choose_rows(std::size_t spine);
 
-/// What spine velocities are drawn in: along an axis (0, 1, 2: x, y, z), by factors on seconds and m/s of the prototype.
+/// Units in which spine velocities are drawn: along an axis (0, 1, 2: x, y, z), by factors on seconds and m/s of the prototype.
 struct SpineUnits {
     int axis = 0;
     double time = 1.0, velocity = 1.0;
@@ -29,7 +29,7 @@ struct SpineUnits {
 /// Spine velocities of a run, scaled back by its similitude, a curve for each of `rows`.
 PlotCurves make_spine_curves(const std::string& label, const RunData& run, const SpineUnits& units, const std::vector<std::size_t>& rows);
 
-/// How far twins were from the prototype in the spine velocities along its strongest axis: half widths of a band about it.
+/// Distance of the twins from the prototype in the spine velocities along its strongest axis: half widths of a band about it.
 struct TwinBand {
     int axis = 0;                                      ///< 0, 1, 2: x, y, z
     std::vector<std::size_t> rows;                     ///< indices into the spine, bottom to top (choose_rows)
@@ -45,7 +45,7 @@ void add_twin_band(StackedPlot& plot, const TwinBand& band, const SpineUnits& un
 /// evenly chosen. About the prototype's is the band of its twins, when there are any. `name` says of what.
 StackedPlot make_spine_plot(const PairStudy& study, const SpeedScales& scales, const std::string& name);
 
-/// How models and twins of a pair depart from their prototype: R over its time, see RunTrace.
+/// Departure of the models and twins of a pair from their prototype: R over its time, see RunTrace.
 struct Departure {
     struct Curve {
         std::string label;

@@ -96,11 +96,11 @@ class KeptPair {
     }
     const std::filesystem::path& folder() const { return folder_; }
     bool resumed() const { return resumed_; }
-    /// Of laying one specimen.
+    /// Settings of preparing one specimen.
     RunSettings settings_of(const std::string& label, RunSettings settings) const {
         return with_file(std::move(settings), folder_ / (name_folder(label) + ".specimen"));
     }
-    /// Of what keeps its runs in the folder itself.
+    /// Settings of work that keeps its runs in the folder itself.
     RunSettings settings_of_all(RunSettings settings) const { return with_file(std::move(settings), folder_); }
 
   private:

@@ -12,13 +12,13 @@
 
 namespace musim::lsdem {
 
-/// What specimen a model starts from.
+/// Specimen that a model starts from.
 enum class PairSpecimen {
     one,  ///< the prototype's, laid once: its exact image, where the model's law has one (scale_specimen)
     each  ///< one laid anew at its scale
 };
 
-/// How a pair is run and judged.
+/// Settings by which a pair is run and judged.
 struct PairSceneSettings {
     PairSpecimen specimen = PairSpecimen::one;
     PairSettings judging = {};

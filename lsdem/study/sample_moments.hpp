@@ -26,7 +26,7 @@ class SampleMoments {
     Eigen::ArrayXd squares_;  ///< Σ (x − mean)²
 };
 
-/// Of a sample of one quantity.
+/// Moments of a sample of one quantity.
 SampleMoments moments_of(const std::vector<double>& sample);
 
 }  // namespace musim::lsdem

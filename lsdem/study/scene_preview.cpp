@@ -117,7 +117,7 @@ class Preview {
         svg_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"#999\" stroke-width=\"0.8\"/>\n", points, kGroundColor);
     }
 
-    /// Of the height: bars of a round length, black and white in turn, and the height itself.
+    /// Ruler of the height: bars of a round length, black and white in turn, and the height itself.
     void draw_ruler() {
         const double height = summary_.high.z(), low = std::min(0.0, summary_.low.z());
         const double bar = detail::round_down(std::max(height - low, 1e-300) / 3.0);

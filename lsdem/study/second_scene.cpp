@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// How many differences a sentence names.
+/// Number of differences that a sentence names.
 constexpr std::size_t kNamedDifferences = 4;
 
 double height_of(const Specimen& specimen, std::size_t block) {

@@ -8,7 +8,7 @@
 
 namespace musim::lsdem {
 
-/// What a model is made of, over what its prototype is made of [-].
+/// Properties of a model's material over those of its prototype's [-].
 struct MadeOf {
     double friction = 1.0;               ///< λ_μ
     double density = 1.0;                ///< λ_ρ of the solid

@@ -9,7 +9,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// Of a run by that at half its step; the yardstick is the run's.
+/// Step error of a run, by that at half its step; the yardstick is the run's.
 StepError compare_steps(const Yardstick& yardstick, RunStatus status, const RunDifference& difference, const RunTrace& trace) {
     return {.status = status,
             .difference = difference,

@@ -15,7 +15,7 @@
 /// the step".
 namespace musim::lsdem {
 
-/// What a run at half the step differs by.
+/// Difference of a run at half the step.
 struct StepError {
     RunStatus status = RunStatus::completed;  ///< of that run
     RunDifference difference = {};
@@ -26,7 +26,7 @@ struct StepError {
     bool has_twins = false;
 };
 
-/// Of the prototype of a pair; nothing where it did not run at half its step.
+/// Step error of the prototype of a pair; nothing where it did not run at half its step.
 std::optional<StepError> find_step_error(const PairStudy& study);
 
 /// Runs the specimen of a scene (make_specimen) at half the step of its run. One that settles comes to rest at the step of the run, so that

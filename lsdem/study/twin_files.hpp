@@ -24,7 +24,7 @@ void write_prototype(const std::filesystem::path& folder, TwinPrototype prototyp
 /// Reads it back into `prototype` and returns the velocities; nothing when there is none, or none that is whole.
 std::optional<std::vector<std::vector<Vector3>>> read_prototype(const std::filesystem::path& folder, TwinPrototype& prototype);
 
-/// What the file of a twin is called: `model_LENGTH.json`, or `moved_SHIFT_DIRECTIONS.json`, in numbers that read back the same.
+/// Name of the file of a twin: `model_LENGTH.json`, or `moved_SHIFT_DIRECTIONS.json`, in numbers that read back the same.
 std::string twin_file_name(const TwinChoice& choice);
 
 /// Keeps a twin that has finished, as JSON: format, length, shift, directions, diverged, difference_m_s. Throws records::WriteError.

@@ -16,7 +16,7 @@ namespace {
 /// The spread of differences is reported at this part of the horizon: before the earliest twin parts, where all are still on their way.
 constexpr double kBeforeHorizon = 0.9;
 
-/// Of a study that says nothing of rounding: a velocity itself has so many digits [-].
+/// Rounding of a study that says nothing of it: a velocity itself has so many digits [-].
 constexpr double kLeastRounding = std::numeric_limits<double>::epsilon();
 
 /// A difference is in proportion to what made it when it is this many times that of rounding, whose part is then a tenth at most [-].
@@ -36,7 +36,7 @@ std::vector<double> find_rounding(const TwinStudy& study, const std::vector<Twin
 /// Copies moved in the same directions, by how far.
 using ByShift = std::map<double, const TwinGrowth*>;
 
-/// How far copies are from being in proportion at one sample.
+/// Distance of copies from being in proportion at one sample.
 struct Disproportion {
     double factor = 0.0;  ///< largest over least R/shift; 0 of fewer than two copies [-]
     double level = 0.0;   ///< largest R [-]
@@ -58,7 +58,7 @@ Disproportion find_disproportion(const ByShift& copies, std::size_t sample, doub
 /// Lengths of models: 4^u with |u| below this, 1:16 to 16:1.
 constexpr double kMostQuadruplings = 2.0;
 
-/// Of what grows, R sample by sample.
+/// Largest growth of R, sample by sample.
 Growth find_largest_growth(const TwinPrototype& prototype, const TwinChoice& choice, const std::vector<double>& running) {
     Growth largest;
     const std::size_t window = prototype.window();

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-/// How exact models, or copies that begin a little elsewhere, part from their prototype. Everything here is in the prototype's units.
+/// Growth of the differences between exact models, or copies that begin a little elsewhere, and their prototype. Everything here is in the
+/// prototype's units.
 namespace musim::lsdem {
 
 /// Growth is measured over this time, in √(H/g) of a block's height H: 10 ms of a tower of blocks 4.25 m high. Blocks rock and hit each
@@ -27,7 +28,7 @@ struct TwinChoice {
     bool operator==(const TwinChoice&) const = default;
 };
 
-/// What came of it.
+/// Result of a twin's run.
 struct TwinRun {
     TwinChoice choice;
     /// Sample by sample from t = 0: max |v_M/λ_v − v_P| over all blocks that move, at equal dimensionless times [m/s]. Shorter than the
@@ -36,7 +37,7 @@ struct TwinRun {
     bool diverged = false;
 };
 
-/// What is known of a prototype once it has run.
+/// Data of a prototype that has run.
 struct TwinPrototype {
     std::size_t moving_blocks = 0;  ///< over which all maxima are taken
     double height = 0.0;            ///< H, of the shape of the first of them [m]
@@ -68,7 +69,7 @@ struct Growth {
     double from = 0.0;    ///< R at its begin [-]
 };
 
-/// How one twin parted from the prototype. R is the running maximum of difference/V.
+/// Growth of one twin's difference from the prototype. R is the running maximum of difference/V.
 struct TwinGrowth {
     std::vector<double> running;         ///< R, sample by sample [-]
     std::optional<double> parting_time;  ///< first sample with R > kPartingLevel [s]; nothing if never

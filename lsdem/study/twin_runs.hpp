@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// How twins are run; but for the folder, none of it changes results.
+/// Settings of running twins; but for the folder, none of them changes results.
 struct TwinSettings {
     std::filesystem::path directory = {};  ///< where results are kept run by run, so that a killed command goes on; empty: nowhere
     std::string version = {};              ///< of the program; results of another are not used

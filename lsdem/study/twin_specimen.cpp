@@ -20,7 +20,7 @@ class RandomVectors {
   public:
     explicit RandomVectors(std::uint64_t seed) : seed_(seed) {}
 
-    /// Of a cube with edges from −1 to 1.
+    /// Next point of a cube with edges from −1 to 1.
     Vector3 next() {
         const double x = draw(), y = draw(), z = draw();
         return {x, y, z};

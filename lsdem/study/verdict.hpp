@@ -13,7 +13,7 @@
 /// docs/theory/comparison.md, "When models agree". Everything here is in the prototype's units.
 namespace musim::lsdem {
 
-/// What is compared of a run.
+/// Traces of a run that are compared.
 struct RunTrace {
     /// R, sample by sample: the running maximum of the difference of spine velocities, max |v_M/λ_v − v_P|, over the largest velocity that
     /// a spine block of the prototype has relative to the base [-].
@@ -24,7 +24,7 @@ struct RunTrace {
     bool image = true;          ///< of a twin: made by the scaling that is judged; else a copy at the prototype's own scale
 };
 
-/// Of a run against its prototype.
+/// Traces of a run against its prototype.
 RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scaling::Similitude& similitude);
 
 /// Scatter of log10 R of exact models of one prototype, pooled over scenes: what is taken of fewer than kMeasuredTwins twins, and at least
@@ -49,7 +49,7 @@ enum class Agreement {
     undecided,  ///< between the two
     not_judged  ///< there are no twins
 };
-/// What is said of several: differ, else undecided, else not judged, else agree.
+/// Verdict on several: differ, else undecided, else not judged, else agree.
 Agreement worst(std::initializer_list<Agreement> all);
 /// "agree", "differ", "undecided", "not_judged".
 std::string to_string(Agreement agreement);
@@ -75,7 +75,7 @@ struct QuantityCheck {
     std::string name = {};     ///< of a listed block; else empty
 };
 
-/// Of one family, on the highest level that it has; nullptr when there is none.
+/// Check of one family on the highest level that it has; nullptr when there is none.
 const QuantityCheck* find_top(const std::vector<QuantityCheck>& checks, const std::string& key);
 
 /// A model against the twins.
@@ -138,9 +138,9 @@ class Yardstick {
     /// prototype's bits.
     double find_flight_allowance() const;
     double find_scale(std::size_t family) const;  ///< the largest value that the prototype has on any level
-    /// What is held against the twins: the logarithm of a value; of a number of blocks that of one more.
+    /// Measure that is compared with the twins': the logarithm of a value; of a number of blocks that of one more.
     double measure(std::size_t family, double value) const;
-    /// Of one quantity: the prototype's, which is one of them, and the twins'.
+    /// Measures of one quantity: the prototype's, which is one of them, and the twins'.
     std::vector<double> measures_of_twins(std::size_t family, std::size_t level) const;
     /// That the measures of a family are taken to have.
     double least_scatter(std::size_t family) const;

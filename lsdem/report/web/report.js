@@ -1,5 +1,5 @@
-// What every report does beside its blocks: on paper the numbers of all plots are there, a pointer reads values off a plot, and plots over
-// the time of the first run go with the view of the blocks: a line shows its time, a click on the plot sets it.
+// Behaviour of every report beside its blocks: on paper the numbers of all plots are there, a pointer reads values off a plot, and plots
+// over the time of the first run go with the view of the blocks: a line shows its time, a click on the plot sets it.
 "use strict";
 (function () {
   window.addEventListener("beforeprint", function () {

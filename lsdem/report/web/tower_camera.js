@@ -17,7 +17,7 @@ function findAspect(bounds, gap) {
   return (widths + gap * widest * (bounds.length - 1)) / sizeAlong(uniteBounds(bounds), 2);
 }
 
-// How far each run stands along x from its own place, so that together they are as wide as a picture of this aspect can hold.
+// Distance of each run along x from its own place, so that together they are as wide as a picture of this aspect can hold.
 function arrangeRuns(bounds, aspect) {
   const narrow = findAspect(bounds, 0), step = findAspect(bounds, 1) - narrow;
   const gap = step > 0 ? Math.min(LARGEST_GAP, Math.max(LEAST_GAP, (0.8 * aspect - narrow) / step)) : 0;
@@ -44,7 +44,7 @@ function findBlockCorners(run) {
   return corners;
 }
 
-// How far the corners of the runs, each shifted along x, reach in a direction.
+// Reach of the corners of the runs, each shifted along x, in a direction.
 function findReach(corners, shifts, direction) {
   let most = -Infinity;
   corners.forEach(function (places, i) {

@@ -186,7 +186,7 @@ class Run {
 }
 
 // Extent of all blocks of a run at its start, in units of the first run.
-// How far a block with its axes turned by a quaternion reaches along an axis of the world.
+// Reach of a block, its axes turned by a quaternion, along an axis of the world.
 function reach(s, axis) {
   const w = s[3], x = s[4], y = s[5], z = s[6];
   const row = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],

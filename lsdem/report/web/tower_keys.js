@@ -1,4 +1,4 @@
-// What keys do in the view. They act where the view or a button of it has the focus; those of ALSO_FROM_PAGE also while nothing has it and
+// Keys in the view. They act where the view or a button of it has the focus; those of ALSO_FROM_PAGE also while nothing has it and
 // the view is seen. Fields that one types into, lists and other sliders keep all of theirs.
 const KEYS = [
   { keys: [" "], shown: "Space", does: "play, pause", act: function (viewer) { viewer.play(!viewer.playing); } },

@@ -1,4 +1,4 @@
-// What is said of the chosen block: its values now, and one of them over time.
+// Properties of the chosen block: its values now, and one of them over time.
 const HISTORY = { width: 300, height: 90, edge: 4 };
 
 function makeSvg(name, attributes) {

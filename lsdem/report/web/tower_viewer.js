@@ -73,7 +73,7 @@ class Viewer {
     }, { passive: true });
   }
 
-  // What one finger turns the blocks by.
+  // Handle by which one finger turns the blocks.
   listenToHandle() {
     const viewer = this, handle = part("handle"), kTurnPerPixel = 0.01;
     let last = null;
