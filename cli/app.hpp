@@ -8,7 +8,7 @@
 
 namespace musim::cli {
 
-/// What people come for, each with a command line to begin with, and how to see all commands.
+/// Purposes that people come for, each with a command line to begin with, and how to see all commands.
 std::string describe_program();
 
 /// Gives an empty App name, version, help and every command, or the one of the name `only`, where there is one, since most commands take

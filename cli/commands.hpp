@@ -6,7 +6,7 @@
 /// The command line program: the only part of musim that prints.
 namespace musim::cli {
 
-/// What the program returns.
+/// Exit codes of the program.
 enum ExitCode : int {
     kDone = 0,
     kInternalError = 1,     ///< a mistake of ours
@@ -17,7 +17,7 @@ enum ExitCode : int {
     kNotAccepted = 6,       ///< a model of its own material differs by more than was to be accepted
 };
 
-/// What the parsed command line asks for; returns an exit code, throws what the libraries throw.
+/// Work that the parsed command line asks for; returns an exit code, throws what the libraries throw.
 using Action = std::function<int()>;
 
 /// Each adds one subcommand to `app`; when it is parsed, `action` is set to carry it out.

@@ -8,7 +8,7 @@
 namespace musim::cli {
 namespace {
 
-/// What four digits take at most [characters].
+/// Room that four digits take at most [characters].
 constexpr int kLeastWidth = 9;
 
 std::string to_cell(const NamedValue& value) {

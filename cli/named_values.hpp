@@ -28,7 +28,7 @@ inline NamedValue in_words(std::string key, std::string title, nlohmann::json va
     return {std::move(key), std::move(title), std::move(value), "", width, std::move(text)};
 }
 
-/// What one line of a table says.
+/// Values of one line of a table.
 using NamedValues = std::vector<NamedValue>;
 
 /// A quantity in SI units, where there is one.
@@ -37,7 +37,7 @@ std::optional<double> in_si(const std::optional<Quantity>& quantity) {
     return quantity ? std::optional(quantity->value()) : std::nullopt;
 }
 
-/// What a value is called, or null for none.
+/// Name of a value, or null for none.
 template <class Named>
 nlohmann::json name_or_null(const std::optional<Named>& named) {
     return named ? nlohmann::json(to_string(*named)) : nlohmann::json();

@@ -28,7 +28,7 @@
 namespace musim::cli {
 namespace {
 
-/// What the options of scaling::kChosenScales give, in their order.
+/// Ratios that the options of scaling::kChosenScales give, in their order.
 constexpr scaling::UncertainRatio scaling::UncertainScales::*kRatios[] = {
     &scaling::UncertainScales::length, &scaling::UncertainScales::friction, &scaling::UncertainScales::gravity,
     &scaling::UncertainScales::density};

@@ -49,7 +49,7 @@ struct SimilitudeOptions {
     /// Adds the options to a command.
     void add_to(CLI::App& app, LengthOption length_option = LengthOption::required);
 
-    /// What the options give of the law: --length is what scaling::find_length_name() says, --friction mu, --gravity g, --density
+    /// Factors of the law that the options give: --length is what scaling::find_length_name() says, --friction mu, --gravity g, --density
     /// rho. Throws CLI::ValidationError for a --set that is not NAME=NUMBER, scaling::ParseError, scaling::SimilitudeError.
     std::vector<scaling::UncertainFactor> given() const;
 
@@ -91,8 +91,8 @@ void note_values_used(const std::vector<scaling::UncertainFactor>& factors);
 /// The two sides of "NAME=REST", the mark being `=`. Throws CLI::ValidationError `option: 'text' is not WANTED`.
 std::pair<std::string, std::string> split_option(const std::string& option, const std::string& text, char mark, const std::string& wanted);
 
-/// What `read` makes of an option's value; what it refuses is a wrong use of the command line. Throws CLI::ValidationError that begins with
-/// the place, such as "--set l: ".
+/// Value that `read` makes of an option's text; what it refuses is a wrong use of the command line. Throws CLI::ValidationError that begins
+/// with the place, such as "--set l: ".
 template <class Read>
 auto read_option(const std::string& place, const Read& read) {
     try {
@@ -105,7 +105,7 @@ auto read_option(const std::string& place, const Read& read) {
 /// `text` with small letters for A to Z.
 std::string to_lower_case(std::string text);
 
-/// What a file is called behind its last dot, in lower case: "csv"; empty without one.
+/// Part of a file's name behind its last dot, in lower case: "csv"; empty without one.
 std::string find_extension(const std::string& file);
 
 /// Adds --json.

@@ -19,7 +19,7 @@ constexpr auto kPatience = 2s;
 /// A run is observed from so long before a line is due, since samples and progress come in turns, and so often.
 constexpr std::chrono::milliseconds kAhead = 1s, kObserving = 100ms;
 
-/// What stays of a name on a line that is too short for it.
+/// Letters of a name that stay on a line which is too short for it.
 constexpr std::size_t kLeastOfName = 12;
 
 /// All of a line but the name.

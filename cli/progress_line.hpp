@@ -28,7 +28,7 @@ class ProgressLine {
     /// The part at the end, 0 to 1, that may not be needed: from now on the time left is a range.
     void spare(double part);
 
-    /// What the lines from now on begin with.
+    /// Name that the lines begin with from now on.
     void name(const std::string& what);
 
     /// Where the run stands, for the lines from now on. As often as one likes: observed only shortly before a line is due.

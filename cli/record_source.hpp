@@ -14,7 +14,7 @@ namespace musim::cli {
 /// Adds --dt and --unit, of plain text files.
 void add_text_record_options(CLI::App& command, std::optional<std::string>& unit, std::optional<Number>& dt);
 
-/// What a record file may leave unsaid, as options --dt, --unit, --quantity, --sensitivity, --station-xml.
+/// Options for what a record file may leave unsaid, as options --dt, --unit, --quantity, --sensitivity, --station-xml.
 struct RecordSourceOptions {
     std::optional<Number> dt;
     std::optional<std::string> unit;
@@ -49,7 +49,7 @@ struct RecordMotionOptions {
     void apply(lsdem::Scene& scene) const;
 };
 
-/// How a positional record argument describes itself in help texts.
+/// Description of a positional record argument in help texts.
 inline constexpr const char* kRecordArgument =
     "Record file of any format in docs/user/record_formats.md (PEER, CSMIP, COSMOS, SMC, K-NET, JMA, ESM, SAC, miniSEED, DEEPSOIL, text, "
     "...), also in a .gz or .zip file, or `synthetic` for the built-in one";

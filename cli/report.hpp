@@ -23,7 +23,7 @@ nlohmann::json to_json(const scaling::ModelScales& scales);
 /// "height H 0.04, width 0.012, " where these may scale apart; nothing of a similitude.
 std::string describe_lengths(const scaling::ModelScales& scales);
 
-/// What is done to components that shake vertically, and to a_vertical/g, where that is not what is done to the others: a line, or nothing.
+/// Treatment of components that shake vertically, and to a_vertical/g, where that is not what is done to the others: a line, or nothing.
 std::string describe_vertical(const std::vector<std::string>& components, const scaling::ModelScales& scales);
 
 /// A table of factors under a title.

@@ -11,8 +11,8 @@
 
 namespace musim::cli {
 
-/// What the commands that write a folder of results share: --out, --checkpoint-interval, --force, --threads, --json; and what their results
-/// are made from.
+/// Options that the commands which write a folder of results share: --out, --checkpoint-interval, --force, --threads, --json; and what
+/// their results are made from.
 struct ResultOptions {
     std::string out;
     Number checkpoint_interval{60.0};  ///< of wall time [s]

@@ -23,7 +23,7 @@ CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, st
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::vector<scaling::Uncertain>& numbers,
                                   const std::string& help);
 
-/// What is known of the prototype's blocks, as options --friction-prototype, --slenderness, --height.
+/// Knowledge of the prototype's blocks, as options --friction-prototype, --slenderness, --height.
 void add_structure_options(CLI::App& command, scaling::UncertainScales& scales);
 /// The values of these.
 scaling::ModelProperties structure_of(const scaling::UncertainScales& scales);

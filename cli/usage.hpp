@@ -13,7 +13,7 @@ void refuse_empty_values(CLI::App& app);
 /// Shows some of a command's commands under a heading of its help, by what people want to do.
 void group_commands(CLI::App& app, const std::string& title, const std::vector<std::string>& names);
 
-/// What is wrong with a command line, in one line that begins with the word at fault and ends with the help to turn to. A mistyped command
+/// Fault of a command line, in one line that begins with the word at fault and ends with the help to turn to. A mistyped command
 /// or option comes first, with the nearest known one: what else is missing often follows from it. `app` has been given the command line.
 std::string describe_usage_error(const CLI::App& app, const CLI::ParseError& error);
 

@@ -93,7 +93,7 @@ void print_direction(const TestedDirection& d, const lsdem::BlockSample& sample)
     }
 }
 
-/// What the simulated speed says about the preset, when the solid's own is known.
+/// Judgement of the preset by the simulated speed, when the solid's own is known.
 std::optional<std::string> judge_preset(const std::string& material, const TestedDirection& normal) {
     const auto bar = lsdem::find_material_preset(material).bar_wave_speed;
     if (!bar) return std::nullopt;

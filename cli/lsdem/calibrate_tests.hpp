@@ -13,7 +13,7 @@
 #include "lsdem/results/write_results.hpp"
 #include "scaling/angle.hpp"
 
-/// What the tests of `musim calibrate` share; each adds its own subcommand.
+/// Parts that the tests of `musim calibrate` share; each adds its own subcommand.
 namespace musim::cli {
 
 using scaling::kDegree;
@@ -29,7 +29,7 @@ struct SampleOptions {
     lsdem::BlockSample sample() const;
 };
 
-/// What every test has besides its own options.
+/// Options that every test has besides its own.
 struct TestOptions : ResultOptions {
     SampleOptions sample;
 

@@ -7,7 +7,7 @@
 
 namespace musim::cli {
 
-/// How the velocity field is looked at: --view, --component, --pixels, --csv.
+/// Options of looking at the velocity field: --view, --component, --pixels, --csv.
 struct FieldOptions {
     std::string side;
     std::string component = "right";

@@ -51,7 +51,7 @@ struct PairOptions : ResultOptions {
     bool one_at_a_time = false;
 };
 
-/// What is asked for; nothing: scaled models are exact, and what scenes of their own are follows from their blocks.
+/// Materials that are asked for; nothing: scaled models are exact, and what scenes of their own are follows from their blocks.
 std::optional<lsdem::Materials> find_materials(const PairOptions& options) {
     if (options.materials.empty()) return std::nullopt;
     return options.materials == "own" ? lsdem::Materials::own : lsdem::Materials::exact;
@@ -129,7 +129,7 @@ void print_row(const std::string& label, double length, lsdem::RunStatus status,
           status == lsdem::RunStatus::completed ? "" : lsdem::to_string(status) + ", ", verdict);
 }
 
-/// What each property of a model's own material does alone, the largest effect first.
+/// Effect of each property of a model's own material alone, the largest effect first.
 void print_alone(const lsdem::PairedRun& model) {
     if (model.alone.empty()) return;
     std::vector<lsdem::LoneDistortion> alone = model.alone;
@@ -345,7 +345,7 @@ void add_model_options(CLI::App& command, PairOptions& options) {
                      "With own materials: also run a model for each property that differs, exact otherwise, and say what it does alone");
 }
 
-/// What they are held against.
+/// Options of the measures that models are judged by.
 void add_judging_options(CLI::App& command, PairOptions& options) {
     command.add_option("--twins", options.twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
         ->type_name("N")

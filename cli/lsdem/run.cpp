@@ -74,7 +74,7 @@ void print_run(const lsdem::Scene& scene, const CarriedOut& done) {
 
 fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / lsdem::kCheckpointName; }
 
-/// What a run starts or continues with.
+/// Scene and checkpoint that a run starts or continues with.
 struct Begin {
     lsdem::Scene scene;
     std::string scene_text;

@@ -93,7 +93,7 @@ nlohmann::json describe(const lsdem::SpecimenSet& set) {
     return {{"file", set.name}, {"specimens", set.specimens.size()}, {"fallen", set.fallen()}, {"block_steps", set.block_steps()}};
 }
 
-/// What was printed of two ways of preparing, beside each other.
+/// Comparison of what was printed of two ways of preparing.
 int compare_specimens(const SpecimenOptions& options) {
     const lsdem::SpecimenSet first = lsdem::read_specimen_set(options.compare[0]), second = lsdem::read_specimen_set(options.compare[1]);
     const std::vector<lsdem::LayerComparison> layers = lsdem::compare_specimens(first, second);

@@ -4,7 +4,7 @@
 
 #include "lsdem/run/specimen_batch.hpp"
 
-/// What the commands that prepare specimens have in common.
+/// Parts that the commands which prepare specimens have in common.
 namespace musim::cli {
 
 /// A batch without scene and seeds that goes to `folder` and gives its warnings on stderr.

@@ -78,7 +78,7 @@ int report_json(const lsdem::WatchedFolder& watched, const std::string& director
     return kDone;
 }
 
-/// How it ended, and the exit code.
+/// Report of the end, and the exit code.
 int report_end(const lsdem::WatchedFolder& watched, const std::string& directory) {
     if (watched.state == lsdem::FolderState::killed) {
         throw std::runtime_error(

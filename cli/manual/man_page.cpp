@@ -59,7 +59,7 @@ std::string make_synopsis(const CommandText& command) {
 /// A definition: a term in a line of its own, its text indented below.
 std::string define(const std::string& term, const std::string& text) { return fmt::format(".TP\n{}\n{}\n", term, text); }
 
-/// What an option does, which values it takes, and what goes with it.
+/// Explanation of an option: effect, values, and what goes with it.
 std::string explain(const OptionText& option) {
     std::string text = escape(option.help) + ".";
     if (!option.choices.empty()) {

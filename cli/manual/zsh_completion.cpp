@@ -21,7 +21,7 @@ std::string escape_words(const std::string& text, const std::string& special) {
 
 std::string name_function(const CommandText& command) { return "_" + command.name("_"); }
 
-/// What completes a value, as _arguments takes it.
+/// Action that completes a value, as _arguments takes it.
 std::string find_action(const OptionText& option) {
     const std::string files = option.path == PathKind::folder ? "_files -/" : "_files";
     std::string names = "(" + join(option.choices, " ") + ")";

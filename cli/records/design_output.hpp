@@ -11,7 +11,7 @@
 
 namespace musim::cli {
 
-/// What the uncertain values of a design do to its candidates, in their order; no inputs, no candidates where all is certain.
+/// Effects of the uncertain values of a design on its candidates, in their order; no inputs, no candidates where all is certain.
 struct DesignUncertainty {
     std::vector<scaling::UncertainInput> inputs;
     std::vector<records::UncertainCandidate> candidates;
@@ -19,7 +19,7 @@ struct DesignUncertainty {
 
     bool is_certain() const { return inputs.empty(); }
 
-    /// Of one candidate; null where all is certain.
+    /// Effects on one candidate; null where all is certain.
     const records::UncertainCandidate* find(std::size_t candidate) const { return is_certain() ? nullptr : &candidates[candidate]; }
 };
 

@@ -28,7 +28,7 @@
 namespace musim::cli {
 namespace {
 
-/// What measures of a record depend on, as options --bracket, --mean-period-band, --intensity-band.
+/// Settings that measures of a record depend on, as options --bracket, --mean-period-band, --intensity-band.
 struct MeasureSettings {
     Number bracket{0.05};                                ///< threshold of the bracketed duration [g]
     std::vector<Number> mean_period_band{{0.25}, {20}};  ///< lowest and highest frequency of the mean period [Hz]
@@ -190,7 +190,7 @@ NamedValues measure_record(const records::TimeSeries& leveled, const records::In
             {"pulse_period_s", "T PSV [s]", or_null(pulse_period)}};
 }
 
-/// How strong a horizontal component is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides
+/// Strength of a horizontal component for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides
 /// (its largest distance); missing of vertical ones, and where the structure or the record does not give it. `leveled` and `intensity` as
 /// above.
 NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity, bool is_vertical,

@@ -23,7 +23,7 @@ namespace {
 using scaling::si::meters_per_second;
 using scaling::si::seconds;
 
-/// What every kind of motion is asked.
+/// Options that every kind of motion has.
 struct MakeOptions {
     Number dt{0.005};  ///< [s]
     RecordOutputOptions output;

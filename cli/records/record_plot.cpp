@@ -82,7 +82,7 @@ void add_peak(nlohmann::json& object, const char* value_key, const char* time_ke
     object[time_key] = peak ? nlohmann::json(peak->time.value()) : nlohmann::json();
 }
 
-/// What the components' peaks are, their own: a list of objects.
+/// Peaks of the components, their own: a list of objects.
 nlohmann::json peaks_to_json(const std::vector<records::ComponentCurves>& components) {
     nlohmann::json list = nlohmann::json::array();
     for (const records::ComponentCurves& component : components) {

@@ -28,7 +28,7 @@ struct SpectrumTable {
     std::vector<SpectrumColumn> columns;
 };
 
-/// What is wanted of every record.
+/// Request for every record.
 struct SpectrumRequest {
     std::vector<scaling::Time> periods;
     std::vector<double> dampings;
@@ -37,7 +37,7 @@ struct SpectrumRequest {
     bool has_rotd() const { return !rotd.first.empty(); }
 };
 
-/// What became of one file.
+/// Spectra of one file, or why there are none.
 struct FileSpectra {
     std::vector<SpectrumTable> tables;
     std::string error;  ///< why it has none; empty when it has

@@ -43,7 +43,7 @@ std::vector<std::string> list_vertical(const records::GroundMotion& motion) {
     return names;
 }
 
-/// What is uncertain about a rescaled record, by component.
+/// Uncertain results of a rescaled record, by component.
 struct UncertainRescale {
     std::vector<std::string> components;
     std::vector<scaling::UncertainReport> reports;  ///< one for each; they differ in structure and measures only
@@ -54,7 +54,7 @@ Quantity magnitude(const records::Peak<Quantity>& peak) {
     return Quantity::from_value(std::abs(peak.value.value()));
 }
 
-/// What a component measures; exact, as the record is what is rescaled.
+/// Measures of a component; exact, as the record is what is rescaled.
 scaling::UncertainMotion measure_component(const records::GroundMotion& motion, const records::Component& component) {
     const records::Intensity intensity = records::compute_intensity(component.series, motion.integration_corner);
     scaling::UncertainMotion measures;

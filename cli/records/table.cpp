@@ -92,7 +92,7 @@ void write_drive(const TableOptions& options, const records::ShakeTable& table, 
     records::write_drive_file(options.drive, axes, *table.controller);
 }
 
-/// What is said of one record on one table.
+/// Verdict on one record on one table.
 struct Verdict {
     std::vector<records::ComponentUse> uses;
     std::vector<records::ScaleRange> scales;
@@ -165,7 +165,7 @@ nlohmann::json describe(const TableOptions& options, const records::ShakeTable& 
     return object;
 }
 
-/// What to do about a record that the table does not make.
+/// Advice about a record that the table does not make.
 std::string advise(const TableOptions& options, const Verdict& verdict) {
     const std::string scale = verdict.scales.empty() ? "" : "choose another length scale, or ";
     if (verdict.corrections.empty()) return verdict.scales.empty() ? "; choose another table" : "; choose another length scale or table";

@@ -23,13 +23,13 @@ void print_uses(const std::vector<records::ComponentUse>& uses, const std::vecto
 /// Which length scales the table can do, and what governs others.
 void print_scales(const std::vector<records::ScaleRange>& ranges);
 
-/// What is changed, in one line.
+/// Correction in one line.
 void print_correction(const records::Correction& correction, const scaling::ModelScales& scales);
 
-/// What a correction does to the response spectra, at some of its periods, the prototype's and the model's.
+/// Effect of a correction on the response spectra, at some of its periods, the prototype's and the model's.
 void print_spectra(const records::Correction& correction, const scaling::ModelScales& scales);
 
-/// What taper, filters and the correction to rest do to one component of a model's record.
+/// Effect of taper, filters and the correction to rest on one component of a model's record.
 struct DriveEffect {
     std::string component;
     records::Intensity before, after;

@@ -80,7 +80,7 @@ std::optional<double> find_model_value(const SolvedLaw& solved, std::size_t j) {
     return prototype && factor ? std::optional(*prototype * *factor) : std::nullopt;
 }
 
-/// What is to be added, in the unit of the quantity, where the prototype's is known.
+/// Amount to be added, in the unit of the quantity, where the prototype's is known.
 std::optional<double> find_added_value(const SolvedLaw& solved, const scaling::LawAddition& addition) {
     const auto base = solved.find_base(addition);
     const auto factor = solved.added(addition);
@@ -105,7 +105,7 @@ std::string describe_addition(const SolvedLaw& solved, const scaling::LawAdditio
     return text;
 }
 
-/// What there is to say beside the tables, one line each.
+/// Remarks beside the tables, one line each.
 std::vector<std::string> list_remarks(const SolvedLaw& solved) {
     std::vector<std::string> lines;
     for (const scaling::LawAddition& addition : solved.law.additions) lines.push_back(describe_addition(solved, addition));

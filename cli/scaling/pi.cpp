@@ -53,7 +53,7 @@ struct ExpressedProduct {
     std::vector<scaling::Rational> powers;     ///< one per group
 };
 
-/// What `musim pi` has to say.
+/// Report of `musim pi`.
 struct PiReport {
     nlohmann::json problem;  ///< as the file has it
     std::vector<scaling::PiQuantity> quantities;
@@ -81,7 +81,7 @@ std::string group_name(const PiGroup& group, const std::vector<PiQuantity>& quan
     return scaling::recognised_text(scaling::recognise(group, quantities));
 }
 
-/// What cannot take part and what else there is to say, one line each.
+/// Remarks on quantities that cannot take part and others, one line each.
 std::vector<std::string> list_remarks(const PiReport& report) {
     std::vector<std::string> lines;
     for (const auto& unused : scaling::explain_unused(report.quantities, report.basis)) lines.push_back(unused.why);
@@ -102,7 +102,7 @@ std::string powers_text(const std::vector<scaling::Rational>& powers, PiNotation
 
 bool is_uncertain(const PiReport& report) { return !list_uncertain(report.quantities).empty(); }
 
-/// What samples say of a group; null without any.
+/// Samples of a group; null without any.
 const scaling::SampleSummary* find_samples(const PiReport& report, const PiGroup& group) {
     const auto found = report.samples.groups.find(group);
     return found == report.samples.groups.end() ? nullptr : &found->second;

@@ -10,7 +10,7 @@
 
 namespace musim::cli {
 
-/// What `musim scale --properties` has to say.
+/// Report of `musim scale --properties`.
 struct PropertiesReport {
     std::string name;
     scaling::PairProperties properties;  ///< with the model's motion, given or by the law

@@ -21,7 +21,8 @@
 namespace musim::cli {
 namespace {
 
-/// How far a factor typed on the command line may be from that of the properties [-]: four digits of it. The properties' own is used.
+/// Largest relative distance of a factor typed on the command line from that of the properties [-]: four digits of it. The properties' own
+/// is used.
 constexpr double kTypedAgreement = 1e-3;
 
 void require_agreement(const CLI::App& command, const std::string& file, const char* name, double typed, double given) {
@@ -78,7 +79,7 @@ class PropertiesFiles {
         return {properties.name, pair, apply_law(properties, pair, reading)};
     }
 
-    /// Of the first call of read().
+    /// Law of the first call of read().
     const scaling::SolvedLaw& solved() const { return formulas_->solved(); }
 
   private:

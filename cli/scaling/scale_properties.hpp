@@ -11,8 +11,8 @@
 
 namespace musim::cli {
 
-/// What a laboratory knows of prototype and model, for `musim scale`: --properties FILE (musim-properties/1), and what a record of that
-/// file may leave unsaid.
+/// Knowledge of a laboratory about prototype and model, for `musim scale`: --properties FILE (musim-properties/1), and what a record of
+/// that file may leave unsaid.
 struct PropertiesOptions {
     std::string file;
     RecordSourceOptions source;

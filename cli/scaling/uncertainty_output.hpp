@@ -17,7 +17,7 @@ std::string format_uncertainty(double uncertainty, double value, const scaling::
 /// A relative uncertainty as "7.07 %"; "-" for none.
 std::string format_share(double share);
 
-/// What samples say of a quantity, and a result with its uncertainty, both given in a unit [SI].
+/// Samples of a quantity, and a result with its uncertainty, both given in a unit [SI].
 nlohmann::json to_json(const scaling::SampleSummary& samples, double unit);
 nlohmann::json to_json(const scaling::UncertainResult& result, double unit);
 
