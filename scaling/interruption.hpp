@@ -2,7 +2,7 @@
 
 #include <exception>
 
-/// How a long computation ends when the user (SIGINT) or the system (SIGTERM) asks it to. It asks now and then whether it was, keeps what
+/// End of a long computation when the user (SIGINT) or the system (SIGTERM) asks it to. It asks now and then whether it was, keeps what
 /// it has, and throws. Nothing changes for a program that never calls listen_for_interruption().
 namespace musim::scaling {
 

@@ -25,10 +25,10 @@ struct JsonPlace {
     JsonPlace at(std::size_t index) const { return at(std::to_string(index)); }
 };
 
-/// What a value of a file has to be.
+/// Kind that a value of a file has to be of.
 enum class JsonKind { object, triple, truth, integer, number, text, quantity };
 
-/// How the files of a room are read: its error, and where it has them, places, words and quantities of its own.
+/// Rules by which the files of a room are read: its error, and where it has them, places, words and quantities of its own.
 class JsonRules {
   public:
     using Json = nlohmann::ordered_json;
@@ -40,9 +40,9 @@ class JsonRules {
     /// The place of what stands at a key of an object, and at a position of a list.
     virtual std::string at(const std::string& place, const std::string& key) const { return JsonPlace{place}.at(key).text; }
     virtual std::string at(const std::string& place, std::size_t index) const { return JsonPlace{place}.at(index).text; }
-    /// What follows the place of a value of another kind; `range` names the integers that are taken.
+    /// Words after the place of a value of another kind; `range` names the integers that are taken.
     virtual std::string wrong_kind(const Json& value, JsonKind kind, const std::string& range) const;
-    /// What follows the place of an object without a key.
+    /// Words after the place of an object without a key.
     virtual std::string missing(const std::string& key) const;
     /// The message for a key that is none of the known.
     virtual std::string unknown(const std::string& place, const std::string& key, const std::vector<std::string>& known) const;

@@ -14,7 +14,7 @@ inline constexpr int kMostJsonLevels = 100;
 /// Throws ParseError at a depth, from 0, of kMostJsonLevels.
 void require_json_level(int depth);
 
-/// What is wrong with JSON in words of one short line, from an error of the parser.
+/// Fault of JSON in words of one short line, from an error of the parser.
 std::string describe_json_error(const nlohmann::json::exception& error);
 
 /// Parses JSON; `Json` is nlohmann::json, or ordered_json, which keeps the order of keys. Throws ParseError, one short line without the

@@ -23,7 +23,7 @@ double parse_si(std::string_view text, Dimension wanted);
 /// parse_si() for what people write: a number without unit is refused unless a plain number is wanted.
 double parse_si_with_unit(std::string_view text, Dimension wanted);
 
-/// What is wrong with a plain number where a dimension is wanted: "the unit is missing; a stress is wanted (such as "3.5 GPa")".
+/// Fault of a plain number where a dimension is wanted: "the unit is missing; a stress is wanted (such as "3.5 GPa")".
 std::string refuse_plain_number(const RationalDimension& wanted);
 
 /// parse_si() for the dimension of `Quantity`, e.g. parse_quantity<Stiffness>("30 MN/m").

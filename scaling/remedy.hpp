@@ -17,7 +17,7 @@ using SettingNames = std::string_view (*)(Setting);
 /// Name of a setting in plain words, e.g. "the time step".
 std::string_view plain_name(Setting setting);
 
-/// What to do about an error: words, and settings among them that each caller names in its own language.
+/// Advice about an error: words, and settings among them that each caller names in its own language.
 ///
 ///   Remedy{"drop ", Setting::sensitivity, " or ", Setting::station_response}
 class Remedy {

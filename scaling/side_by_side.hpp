@@ -16,8 +16,8 @@ void run_side_by_side(const std::vector<std::function<void()>>& jobs, int thread
 /// keep it from each other.
 int count_usable_cores();
 
-/// What each of so many jobs may use of `threads` (0: all cores) when run_side_by_side does them: those that are left over are shared, one
-/// at least.
+/// Threads of `threads` (0: all cores) that each of so many jobs may use when run_side_by_side does them: those that are left over are
+/// shared, one at least.
 int threads_of_each(int threads, std::size_t jobs);
 
 }  // namespace musim::scaling

@@ -23,7 +23,7 @@ constexpr double kShareOfLong = 0.6;
 /// Letters that a line of LaTeX has room for, across a page on its side in small print: in wider tables every column breaks.
 constexpr std::size_t kLatexLine = 130;
 
-/// How much of what goes beyond its longest word counts for the width of a column that breaks: lines are about three of it [-].
+/// Share of what goes beyond its longest word that counts for the width of a column which breaks: lines are about three of it [-].
 constexpr double kBroken = 1.0 / 3.0;
 
 /// Letters between two columns.
@@ -35,7 +35,7 @@ std::size_t count_letters(const std::string& text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// Of the widest cell in each column [letters].
+/// Widths of the widest cell in each column [letters].
 std::vector<std::size_t> find_widths(const TextTable& table) {
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < table.header.size(); ++i) {

@@ -11,7 +11,7 @@ struct TextTable {
     std::vector<std::vector<std::string>> rows = {};
 };
 
-/// What a report is written for.
+/// Use that a report is written for.
 enum class ReportStyle { plain, markdown, latex };
 
 /// Columns two blanks apart, each as wide as its widest cell; letters outside ASCII count as one.

@@ -34,7 +34,7 @@ std::optional<Marked> split_at_mark(std::string_view text) {
     throw ParseError(fmt::format("\"{}\": {}", shorten(text, kEchoed), why));
 }
 
-/// What stands behind the mark: a number, perhaps "%", perhaps a unit.
+/// Text behind the mark: a number, perhaps "%", perhaps a unit.
 struct UncertaintyText {
     double number = 0.0;
     bool is_share = false;  ///< a percentage, already divided by 100

@@ -15,7 +15,7 @@ struct DisplayUnit {
     double from = 1.0;
 };
 
-/// How people call and write a dimension.
+/// Names and spelling of a dimension.
 struct DimensionName {
     Dimension dimension;
     std::string_view name;                   ///< with its article: "a stiffness"
@@ -29,7 +29,7 @@ const DimensionName* find_dimension_name(const RationalDimension& dimension);
 /// "a stiffness", or "in kg m^2 s^-5" for a dimension without a name.
 std::string describe(const RationalDimension& dimension);
 
-/// What is asked for: "a stiffness is wanted (such as "30 MN/m")", or "a quantity in kg m^2 s^-5 is wanted".
+/// Request in words: "a stiffness is wanted (such as "30 MN/m")", or "a quantity in kg m^2 s^-5 is wanted".
 std::string describe_wish(const RationalDimension& dimension);
 
 /// SI base units of a dimension: "kg m^2 s^-5", halves as "m^0.5", other fractions as "m^(1/3)"; empty for a plain number.

@@ -7,7 +7,7 @@
 #include "scaling/json_reader.hpp"
 #include "scaling/pi_quantity.hpp"
 
-/// What readers of problems and laws in JSON share. All throw PiError `where: what; what to do`.
+/// Parts that readers of problems and laws in JSON share. All throw PiError `where: what; what to do`.
 namespace musim::scaling::detail {
 
 using Json = JsonReader::Json;

@@ -4,7 +4,7 @@
 
 namespace musim::scaling::detail {
 
-/// What is left of a text that is read from the front: the common part of recursive-descent readers.
+/// Rest of a text that is read from the front: the common part of recursive-descent readers.
 class TextCursor {
   protected:
     explicit TextCursor(std::string_view text) : rest_(text) {}

@@ -241,7 +241,7 @@ class UnitReader : private TextCursor {
         return result;
     }
 
-    /// What of the decimal exponent the root does not divide goes into the factor, rounded.
+    /// Root of a unit: the part of the decimal exponent that the root does not divide goes into the factor, rounded.
     static Unit take_root(const Unit& unit, std::int64_t degree) {
         const int n = static_cast<int>(degree);
         const double root = 1.0 / n;

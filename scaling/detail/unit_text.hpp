@@ -14,7 +14,7 @@ struct Unit {
     double denominator = 1.0;
 };
 
-/// What "g" and "mg" stand for.
+/// Meaning of "g" and "mg".
 enum class GramOrGravity { gram, gravity };
 
 /// Reads a whole unit text such as "kN*s/m" by the grammar of parse_si(). `text` is the whole input, for messages.

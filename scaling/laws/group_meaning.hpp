@@ -20,7 +20,7 @@ struct KeptNumbers {
 /// product of no chosen factor at all. A law that has not the quantities of a number does not keep it.
 KeptNumbers find_kept_numbers(const SolvedLaw& solved);
 
-/// What a dimensionless group of a block structure is about.
+/// Subject of a dimensionless group of a block structure.
 enum class GroupClass { geometry, friction, contact, rocking, loading };
 
 /// "geometry", "friction", "contact", "rocking" or "loading".

@@ -26,7 +26,7 @@ std::vector<LengthRange> find_length_range(const ShareUsed& used, const LengthRa
 /// gap, narrower than a step can be missed.
 std::vector<LengthRange> find_length_ranges(const ShareUsed& used, const LengthRange& within);
 
-/// What two lists of disjoint ranges, each by rising λ_l, have in common; by rising λ_l.
+/// Ranges that two lists of disjoint ranges, each by rising λ_l, have in common; by rising λ_l.
 std::vector<LengthRange> intersect(const std::vector<LengthRange>& a, const std::vector<LengthRange>& b);
 
 /// Length scales at which all limits hold.
@@ -35,7 +35,7 @@ struct CommonRange {
     std::optional<std::size_t> binds_below, binds_above;  ///< position of the limit that is broken beyond; none: the end of the search
 };
 
-/// What limits, each with its ranges by rising λ_l, leave of `within`; by rising λ_l.
+/// Ranges that limits, each with its ranges by rising λ_l, leave of `within`; by rising λ_l.
 std::vector<CommonRange> find_common(const std::vector<std::vector<LengthRange>>& limits, const LengthRange& within);
 
 /// "1/25" or "1/42.67", four digits; "1" for λ_l = 1.

@@ -8,7 +8,7 @@
 
 namespace musim::scaling {
 
-/// How a quantity earns a role in a named group.
+/// Check by which a quantity earns a role in a named group.
 enum class RoleCheck {
     dimension,  ///< by its dimension: any length is a length
     hinted,     ///< by its name; another name will do where no quantity has this one, but is said to stand for the role

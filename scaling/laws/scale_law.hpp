@@ -21,7 +21,8 @@ struct LawChoice {
     std::optional<double> fallback;  ///< taken where nothing settles the factor; none: it has to be given or follow
 };
 
-/// What has to be added to a quantity to reach another of the same kind, as mass to a model: (λ_total - λ_own) times the prototype's.
+/// Amount that has to be added to a quantity to reach another of the same kind, as mass to a model: (λ_total - λ_own) times the
+/// prototype's.
 struct LawAddition {
     std::string name;
     std::string meaning;

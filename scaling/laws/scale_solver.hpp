@@ -61,7 +61,7 @@ struct ScaleConflict {
     std::vector<std::size_t> chosen;  ///< quantities whose chosen factors are at odds
 };
 
-/// What follows. A product's δ = Π λ^exponent is its value in the model over its value in the prototype.
+/// Solution of the factors. A product's δ = Π λ^exponent is its value in the model over its value in the prototype.
 struct ScaleSolution {
     std::vector<QuantityScale> quantities;
     std::vector<ScaleFactor> held;     ///< δ of each held product: 1, or what the contradiction leaves

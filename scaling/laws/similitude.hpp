@@ -48,8 +48,8 @@ class Similitude {
     /// The prototype itself, by law "exact": every factor is 1.
     Similitude() : Similitude({}, 1.0, "exact") {}
 
-    /// What a law called `law_name` makes of the chosen factors (make_similitude()): λ_a, and that of vertical shaking, by default λ_g.
-    /// Throws SimilitudeError when a factor is not positive and finite, or when derived factors leave the range of doubles.
+    /// Similitude that a law called `law_name` makes of the chosen factors (make_similitude()): λ_a, and that of vertical shaking, by
+    /// default λ_g. Throws SimilitudeError when a factor is not positive and finite, or when derived factors leave the range of doubles.
     Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name, std::optional<double> acceleration_vertical = {});
 
     /// Whether a structure at rest has an exact image, whatever the law's name: λ_μ = 1 and λ_a = λ_g, to kFactorRounding.
@@ -58,7 +58,7 @@ class Similitude {
     /// times what presses: shape apart, overlap over length, friction over weight and its limit are all that decides at rest.
     bool keeps_statics() const;
 
-    /// Of a prototype to itself: every factor is 1.
+    /// True of a prototype to itself: every factor is 1.
     bool is_identity() const;
 
     const std::string& law_name() const { return law_name_; }

@@ -17,8 +17,8 @@ struct UnusedQuantity {
 /// dimensions occurs in it alone; the reason names the smallest such combination.
 std::vector<UnusedQuantity> explain_unused(const std::vector<PiQuantity>& quantities, const PiBasis& basis);
 
-/// What else the dimensions show, one line each: quantities of one dimension (their ratio is a group), plain numbers and angles (groups by
-/// themselves), quantities that all groups hold in one combination only.
+/// Remarks on what else the dimensions show, one line each: quantities of one dimension (their ratio is a group), plain numbers and angles
+/// (groups by themselves), quantities that all groups hold in one combination only.
 std::vector<std::string> find_remarks(const std::vector<PiQuantity>& quantities, const PiBasis& basis);
 
 }  // namespace musim::scaling

@@ -7,7 +7,7 @@
 
 namespace musim::scaling {
 
-/// How a product of powers is written.
+/// Notation of a product of powers.
 enum class PiNotation {
     text,   ///< v^2/(g*l), as parse_group() reads it
     latex,  ///< `\frac{v^{2}}{g\,l}`, without dollars; names such as mu and rho as Greek letters

@@ -32,7 +32,7 @@ void check(const ModelProperties& properties) {
     check_positive("the height deviation factor", properties.height_deviation);
 }
 
-/// What blocks of one slenderness are in prototype and model, with heights of 1.
+/// Blocks of one slenderness in prototype and model, with heights of 1.
 struct RockingPair {
     RockingBlock prototype, model;
 

@@ -10,7 +10,7 @@
 
 namespace musim::scaling {
 
-/// How much a distortion matters.
+/// Severity of a distortion.
 enum class Severity {
     note,     ///< off by less than kNoteLimit: below what friction tests resolve, systematic all the same
     warning,  ///< the model answers another question by this factor
@@ -20,7 +20,7 @@ enum class Severity {
 /// "note", "warning" or "error".
 std::string_view to_string(Severity severity);
 
-/// How much it matters that a group is off by `factor`, by size alone; nothing when it is kept up to rounding.
+/// Severity of a group that is off by `factor`, by size alone; nothing when it is kept up to rounding.
 std::optional<Severity> find_severity(double factor);
 
 /// A requirement of similitude that the model does not meet.
@@ -31,7 +31,7 @@ struct Distortion {
     std::string effect;  ///< what it does to the response, one line
 };
 
-/// What is known of prototype and model beyond the similitude. Groups that need an absent value are left out.
+/// Knowledge of prototype and model beyond the similitude. Groups that need an absent value are left out.
 struct ModelProperties {
     std::optional<double> friction_prototype;  ///< μ of the prototype [-]
     std::vector<double> slenderness;           ///< tan α = width/height of each rocking direction of a block [-]

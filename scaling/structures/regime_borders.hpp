@@ -21,7 +21,7 @@ struct Border {
 /// The border of a group; null for a group without one.
 const Border* find_border(std::string_view group);
 
-/// What happens at a value of the group.
+/// Response at a value of the group.
 std::string_view name_side(const Border& border, double value);
 
 /// One frequency of the model's motion against the table's, and how bad it is if the table does not follow it.
@@ -34,10 +34,10 @@ struct TableDemand {
 /// Those of a motion, given or not.
 std::array<TableDemand, 4> list_table_demands(const MotionProperties& model);
 
-/// What a group that has a border at 1 says about both structures; nothing for a group without one.
+/// Statement of a group that has a border at 1 about both structures; nothing for a group without one.
 std::optional<RegimeStatement> cross_border(const GroupComparison& group);
 
-/// What a block does first under the peak of each motion, per direction.
+/// First motion of a block under the peak of each base motion, per direction.
 void add_first_motions(std::vector<RegimeStatement>& regimes, const PairProperties& shaken);
 
 /// Whether dead weight closes the uneven gaps, where δ_w/σ_H is among the groups.
@@ -46,7 +46,7 @@ void add_contacts(std::vector<RegimeStatement>& regimes, const std::vector<Group
 /// Whether a table follows the frequencies of the model's motion, as far as both are known.
 void add_table(std::vector<RegimeStatement>& regimes, const MotionProperties& model, const Bandwidth& table);
 
-/// How far a structure is from a border of a regime: a quantity over its limit, 1 on the border.
+/// Distance of a structure from a border of a regime: a quantity over its limit, 1 on the border.
 struct RegimeMargin {
     std::string_view topic;  ///< of the RegimeStatement
     std::optional<Direction> direction = {};

@@ -26,7 +26,7 @@ struct GroupComparison {
     double factor() const;
 };
 
-/// What prototype and model do, where a border between two kinds of response lies.
+/// Responses of prototype and model, where a border between two kinds of response lies.
 struct RegimeStatement {
     std::string_view topic;                   ///< "sliding or rocking first", "uplift", "sliding", "first motion", "contacts", "table"
     std::optional<Direction> direction = {};  ///< of rocking, where it matters
@@ -55,7 +55,7 @@ struct RegimeReport {
 ///            does not follow the frequency that governs;
 ///   note     for κ_n and δ_w/σ_H while δ_w/σ_H is below kRigidContact in both, and for C^N while it is itself.
 ///
-/// What the law requires is what the numbers that it keeps ask for. Throws SimilitudeError as check(PairProperties).
+/// Report of properties, in which the law requires what the numbers that it keeps ask for. Throws SimilitudeError as check(PairProperties).
 RegimeReport make_regime_report(const PairProperties& properties, const Similitude& similitude, const KeptNumbers& kept);
 
 /// Contacts count as rigid while the static overlap at the base is below this share of the height deviation, and while normal contact waves

@@ -31,7 +31,7 @@ struct RockingBlock {
     double energy_restitution() const;
 };
 
-/// How a rigid block at rest answers a base acceleration a [Shenton96].
+/// Response of a rigid block at rest to a base acceleration a [Shenton96].
 enum class FirstMotion { rest, slide, rock, slide_rock };
 
 /// "rests", "slides", "rocks" or "slides and rocks".
@@ -46,7 +46,7 @@ std::string_view to_string(FirstMotion motion);
 /// which is tan α at A = tan α and rises with A. Source: derived; the criterion is that of [Shenton96].
 double find_friction_to_rock(double acceleration_over_gravity, double slenderness);
 
-/// What a block does first under a = A g, without vertical shaking, of friction coefficient μ (static and kinetic alike) [Shenton96]:
+/// First motion of a block under a = A g, without vertical shaking, of friction coefficient μ (static and kinetic alike) [Shenton96]:
 ///
 ///   rests up to min(μ, tan α);   slides when μ ≤ tan α;   else rocks, and slides as well where μ is below find_friction_to_rock().
 FirstMotion find_first_motion(double acceleration_over_gravity, double friction, double slenderness);

@@ -36,7 +36,7 @@ struct ChainWave {
 /// speed of a smooth maximum.
 ChainWave find_fastest_sway(const RotatingChain& chain);
 
-/// How many wavenumbers find_fastest_sway() looks at first [-]. The group speed turns over a few of them; for b/H from 0.05 to 20 and
+/// Number of wavenumbers that find_fastest_sway() looks at first [-]. The group speed turns over a few of them; for b/H from 0.05 to 20 and
 /// k_n/k_s from 0.1 to 10 four times as many find the same wave (a test).
 inline constexpr int kWavenumbers = 512;
 

@@ -28,7 +28,7 @@ struct StructuralSpeeds {
     std::optional<Time> climb_slip = {};       ///< 2 l/c_e
 };
 
-/// Of one structure.
+/// Speeds of one structure.
 StructuralSpeeds find_structural_speeds(const StructureProperties& properties);
 
 /// A single column of the structure's blocks that turn as they sway in one direction; nothing unless both stiffnesses are known.

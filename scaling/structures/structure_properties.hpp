@@ -16,7 +16,7 @@ enum class Direction { thin, wide };
 /// "thin" or "wide".
 std::string_view to_string(Direction direction);
 
-/// What is known of one structure of equal blocks, prototype or model. Groups that need an absent value are left out.
+/// Knowledge of one structure of equal blocks, prototype or model. Groups that need an absent value are left out.
 struct StructureProperties {
     std::string name = {};          ///< for reports: "concrete", "wood 1:107"
     std::array<Length, 3> block{};  ///< b, w, H
@@ -42,7 +42,7 @@ struct StructureProperties {
     RockingBlock rocking_block(Direction direction) const;
 };
 
-/// What is known of a motion.
+/// Knowledge of a motion.
 struct MotionProperties {
     Acceleration acceleration{};                                             ///< PGA
     std::optional<Velocity> velocity = {};                                   ///< PGV
@@ -81,7 +81,7 @@ std::optional<double> find_ratio(const std::optional<Value>& model, const std::o
     return model && prototype ? std::optional(static_cast<double>(*model / *prototype)) : std::nullopt;
 }
 
-/// What find_distortions() wants to know, as factors; those that one side does not give are left out.
+/// Properties that find_distortions() asks for, as factors; those that one side does not give are left out.
 ModelProperties make_model_properties(const PairProperties& properties);
 
 /// A motion by the similitude, its vertical acceleration by Similitude::acceleration_vertical(); the direction stays.

@@ -10,7 +10,8 @@ namespace musim::scaling {
 /// same bits on every machine with IEEE doubles.
 double normal_quantile(double p);
 
-/// How an uncertain value spreads; each with the value as its mean and the standard uncertainty as its standard deviation [JCGM101] 6.4.
+/// Distribution of an uncertain value; each with the value as its mean and the standard uncertainty as its standard deviation [JCGM101]
+/// 6.4.
 enum class Distribution {
     normal,     ///< values known from repeated measurement; draws at or below zero are refused
     lognormal,  ///< always positive; σ² = ln(1 + u²/x²), median x/√(1 + u²/x²)

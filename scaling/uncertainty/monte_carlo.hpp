@@ -10,7 +10,7 @@
 
 namespace musim::scaling {
 
-/// How distributions are propagated by drawing from them.
+/// Settings of propagating distributions by drawing from them.
 struct MonteCarloSettings {
     std::size_t samples = 100'000;
     std::uint64_t seed = 1;
@@ -36,7 +36,7 @@ struct SampleSummary {
 /// The share of samples in which a result that is either 0 or 1 is 1, without what rounding adds to its mean.
 double find_share(const SampleSummary& samples);
 
-/// How samples were drawn.
+/// Draws of the samples.
 struct Draws {
     MonteCarloSettings settings;
     std::size_t rejected = 0;  ///< draws that were not positive, and drawn again

@@ -15,7 +15,7 @@ namespace {
 /// Exponents are whole multiples of 1/kPartsOfExponent [-]: halves and quarters of roots, thirds of volumes.
 constexpr double kPartsOfExponent = 12.0;
 
-/// How far rounding may move an exponent that is found with kMove [-]: some fifty roundings of 1e-16, over twice its logarithm.
+/// Distance by which rounding may move an exponent that is found with kMove [-]: some fifty roundings of 1e-16, over twice its logarithm.
 constexpr double kMovedRounding = 1e-10;
 
 /// The exponent between two neighbors of a result.

@@ -20,7 +20,7 @@ std::vector<UncertainInput> list_uncertain(const std::vector<PiQuantity>& quanti
 /// group_value() is.
 std::optional<FirstOrder> find_uncertain_value(const PiGroup& group, const std::vector<PiQuantity>& quantities);
 
-/// What samples of a problem's quantities say of its groups.
+/// Groups by samples of a problem's quantities.
 struct SampledGroups {
     std::map<PiGroup, SampleSummary> groups;  ///< those that have a value
     std::optional<Draws> draws;               ///< none without samples

@@ -20,7 +20,7 @@ using detail::Place;
 using detail::RatioPlace;
 using detail::Values;
 
-/// What the law holds must follow from something that is solved, or be certain.
+/// Check of what the law holds, which must follow from something that is solved, or be certain.
 void check_held(const SolvedLaw& solved, const std::vector<UncertainFactor>& given) {
     for (const auto& [name, ratio] : given) {
         const std::size_t j = find_quantity(solved.problem.quantities, name);
@@ -68,7 +68,7 @@ struct PrototypePlace {
     double value;
 };
 
-/// What is asked of a law, in one row of numbers for each set of values of its inputs. What is open has no number.
+/// Rows of numbers that are asked of a law, one for each set of values of its inputs. What is open has no number.
 class LawRows {
   public:
     LawRows(const SolvedLaw& solved, const std::vector<UncertainFactor>& given, const std::vector<UncertainPrototype>& prototype)

@@ -9,7 +9,7 @@
 
 namespace musim::scaling {
 
-/// What a quantity is in the prototype [SI], with its uncertainty.
+/// Value of a quantity in the prototype [SI], with its uncertainty.
 struct UncertainPrototype {
     std::string name;
     Uncertain value;
@@ -22,13 +22,13 @@ struct UncertainDifference {
     std::optional<SampleSummary> samples;
 };
 
-/// What has to be added to a quantity of the model: as a share of the prototype's, and in SI where that is known.
+/// Amount that has to be added to a quantity of the model: as a share of the prototype's, and in SI where that is known.
 struct UncertainAddition {
     UncertainDifference factor;
     std::optional<UncertainDifference> model;
 };
 
-/// What a law with uncertain factors gives.
+/// Results of a law with uncertain factors.
 struct UncertainLawReport {
     std::vector<UncertainInput> inputs;                       ///< the uncertain ones; the order of all exponents
     std::vector<std::optional<UncertainResult>> factors;      ///< of each quantity; none while open

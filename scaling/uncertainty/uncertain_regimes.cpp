@@ -46,7 +46,7 @@ std::vector<Side> find_sides(const RegimeStatement& regime, const std::vector<Re
     return sides;
 }
 
-/// What a margin says of a regime whose border lies within its interval; empty where it does not.
+/// Words of a margin about a regime whose border lies within its interval; empty where it does not.
 std::string describe_uncertainty(const RegimeMargin& margin, const FirstOrder& ratio) {
     const CoverageInterval interval = find_interval(ratio);
     if (!margin.matters || ratio.relative == 0.0 || !interval.contains(1.0)) return "";

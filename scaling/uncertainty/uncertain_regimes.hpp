@@ -25,7 +25,7 @@ struct MovedProperties {
 /// The properties of drawn values of the inputs, with the motion of the model as MovedProperties have it. Called from any thread.
 using DrawProperties = std::function<PropertiesAndLaw(std::span<const double>)>;
 
-/// What samples say of a group of a report.
+/// Samples of a group of a report.
 struct ComparisonSamples {
     SampleSummary prototype, model, factor;
 };
@@ -37,15 +37,15 @@ struct UncertainComparison {
     std::optional<ComparisonSamples> samples = {};
 };
 
-/// What samples say of properties as a whole.
+/// Samples of properties as a whole.
 struct RegimeSamples {
-    /// Of each regime of the report, the share of samples in which prototype or model is on another side of a border than by the values.
+    /// Share of samples, for each regime of the report, in which prototype or model is on another side of a border than by the values.
     /// Borders that do not matter to a sample (sliding or rocking of what rests) count as a side of their own.
     std::vector<double> shares_elsewhere;
     Draws draws;
 };
 
-/// What uncertain properties do to a report.
+/// Effects of uncertain properties on a report.
 struct UncertainRegimes {
     std::vector<UncertainInput> inputs;
     std::vector<UncertainResult> factors;     ///< of Similitude::factors(), by the true values: what to aim at

@@ -43,7 +43,7 @@ struct UncertainScales {
 /// Makes the model scales of chosen factors by the law in use; the second are the values of UncertainScales::others. From any thread.
 using MakeModelScales = std::function<ModelScales(const ScaleFactors&, const std::vector<GivenFactor>&)>;
 
-/// What a similitude with uncertain inputs gives.
+/// Results of a similitude with uncertain inputs.
 struct UncertainReport {
     std::vector<UncertainInput> inputs;    ///< the uncertain ones; the order of all exponents
     std::vector<UncertainResult> factors;  ///< of ModelScales::factors()
