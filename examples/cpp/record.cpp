@@ -1,4 +1,4 @@
-// What a record asks of a structure: the peak of each component and its spectral acceleration at a period, as recorded and at 1:25.
+// Demand of a record on a structure: the peak of each component and its spectral acceleration at a period, as recorded and at 1:25.
 #include <fmt/format.h>
 
 #include <array>

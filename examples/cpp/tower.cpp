@@ -1,4 +1,4 @@
-// How far the top of a concrete tower moves against its base under a record, by a model at 1:25, in the prototype's units.
+// Motion of the top of a concrete tower against its base under a record, by a model at 1:25, in the prototype's units.
 #include <fmt/format.h>
 
 #include <exception>

@@ -213,7 +213,7 @@ AccuracyOutcome run_lean(const AccuracySetting& setting) {
     return outcome;
 }
 
-/// How far block i of a column sinks into what is below it under a number of weights [m].
+/// Depth by which block i of a column sinks into what is below it under a number of weights [m].
 struct Closing {
     double without_rims;
     /// Where boxes overlap by D, depths end at the sides in a rim of width D, of flush blocks on both faces, on the ground on the ground's

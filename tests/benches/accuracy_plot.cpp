@@ -24,7 +24,7 @@ constexpr double kFloor = 1e-10;
 
 enum class Mark { square, diamond, triangle, cross, star };
 
-/// How a family looks: Okabe and Ito's colours, and marks that stay apart without colour.
+/// Look of a family: Okabe and Ito's colours, and marks that stay apart without colour.
 struct Style {
     std::string_view family, legend;
     const char* color;

@@ -8,7 +8,7 @@
 
 namespace musim::lsdem {
 
-/// What a user can trade for run time.
+/// Settings that a user can trade for run time.
 struct AccuracySetting {
     double safety = 0.8;  ///< time step over the critical one
     FaceContact faces = FaceContact::overlap;
@@ -19,7 +19,7 @@ struct AccuracySetting {
     bool operator==(const AccuracySetting&) const = default;
 };
 
-/// What a setting gave for one problem.
+/// Result of a setting for one problem.
 struct AccuracyOutcome {
     double error = 0.0;             ///< relative, as the problem defines it; infinite when the run did not get there [-]
     std::uint64_t steps = 0;        ///< of all its runs

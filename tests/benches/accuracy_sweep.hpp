@@ -28,7 +28,7 @@ struct AccuracyPanel {
     std::vector<AccuracyRow> rows;
 };
 
-/// What `sweep_accuracy` is to do.
+/// Tasks of `sweep_accuracy`.
 struct SweepOptions {
     std::filesystem::path record;  ///< earthquake of the mini-tower; empty: the synthetic one
     AxisComponents components;

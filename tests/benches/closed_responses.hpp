@@ -2,7 +2,7 @@
 
 namespace musim::lsdem {
 
-/// What a rigid block does on a base that is pushed once by a(t) = A·sin(πt/T), 0 ≤ t ≤ T, and then keeps its velocity; numbers only.
+/// Response of a rigid block on a base that is pushed once by a(t) = A·sin(πt/T), 0 ≤ t ≤ T, and then keeps its velocity; numbers only.
 
 /// Slip of a block with a/(μg) = `strength` at the peak of the push [Newmark65]. docs/validation/similitude.md has the formulas.
 struct PushedSlider {

@@ -22,7 +22,7 @@ double compare_responses(const ScaledResponse& prototype, const ScaledResponse& 
 /// The measure of a response, from the parabola through its greatest sample and the two beside it.
 double measure(const ScaledResponse& response, Measure which);
 
-/// What came of a case.
+/// Result of a case.
 struct SimilitudeOutcome {
     SimilitudeCase wanted;
     double ratio = 0.0;       ///< measured, model over prototype

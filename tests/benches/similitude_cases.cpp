@@ -15,7 +15,7 @@ using Factors = std::vector<scaling::GivenFactor>;
 
 constexpr double kLength = 1.0 / 25.0;
 
-/// Of the column, where stick and slip make rounding grow: with it and factors that are powers of two there is none.
+/// Scale of the column, where stick and slip make rounding grow: with it and factors that are powers of two there is none.
 constexpr double kBitLength = 1.0 / 16.0;
 
 constexpr double kWoodFriction = 0.63 / 0.59, kAluminiumFriction = 0.18 / 0.59;

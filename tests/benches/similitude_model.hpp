@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// How a similar twin is made of a prototype: by one similitude, or with heights that scale apart from all other lengths.
+/// Scales by which a similar twin is made of a prototype: by one similitude, or with heights that scale apart from all other lengths.
 struct TwinScales {
     scaling::Similitude similitude;  ///< its length is that of widths
     double heights = 1.0;            ///< λ of heights over λ of widths [-]; angles scale by 1/heights
@@ -22,7 +22,7 @@ struct TwinScales {
 /// do.
 TwinScales make_twin_scales(const std::string& law, const std::vector<scaling::GivenFactor>& given);
 
-/// What is set wrong in a model on purpose.
+/// Group that is set wrong in a model on purpose.
 enum class BrokenGroup {
     none,
     friction,   ///< μ

@@ -39,7 +39,7 @@ GroupRatios compare_groups(const TwinScales& scales, const Break& broken) {
         .angle = 1.0 / scales.heights};
 }
 
-/// What the friction spring adds to the slip, over it: it is stretched by μg/ω² when slip begins, then at a speed of up to 2j/ω², j = πA/T,
+/// Share that the friction spring adds to the slip: it is stretched by μg/ω² when slip begins, then at a speed of up to 2j/ω², j = πA/T,
 /// and within 1/ω of the rigid block's instant (j/2ω²), with as much again for the step; a speed acts until slip ends.
 double compute_spring_error(double strength, double rigidity) {
     const PushedSlider rigid = compute_pushed_slider(strength);

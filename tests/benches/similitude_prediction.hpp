@@ -6,7 +6,7 @@
 
 namespace musim::lsdem {
 
-/// What is compared between model and prototype, both scaled back.
+/// Measure that is compared between model and prototype, both scaled back.
 enum class Measure {
     peak,       ///< greatest displacement relative to the base, or tilt
     peak_time,  ///< when, since the base began to move

@@ -25,7 +25,7 @@ using Size = Triple<Length>;
 constexpr double kRunSamples = 2000.0;
 /// Samples of a push.
 constexpr double kPushSamples = 1000.0;
-/// How much stiffer than the preset the base of the rocking block is: Housner's is rigid. Stiffer, the rounding of its height over the
+/// Stiffness of the rocking block's base over the preset's: Housner's is rigid. Stiffer, the rounding of its height over the
 /// depth of its edge would show.
 constexpr double kStiffBase = 1e3;
 

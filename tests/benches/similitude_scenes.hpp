@@ -31,7 +31,7 @@ inline constexpr double kChainSamples = 100.0;    ///< of its output in a half w
 
 /// ω·T of the sliding block: ω² = k_s/m of its friction spring, T of its push [-].
 double slide_rigidity();
-/// How deep the rocking block sinks under its weight over its thin side, m g/(k_n b) [-].
+/// Depth by which the rocking block sinks under its weight, over its thin side, m g/(k_n b) [-].
 double rock_sinking();
 
 }  // namespace musim::lsdem

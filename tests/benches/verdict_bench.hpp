@@ -12,10 +12,10 @@
 #include "lsdem/study/twin_runs.hpp"
 #include "lsdem/study/verdict.hpp"
 
-/// How often models are judged wrongly (run_pair): exact ones that are called different, and wrong ones that are not.
+/// Number of models that are judged wrongly (run_pair): exact ones that are called different, and wrong ones that are not.
 namespace musim::lsdem {
 
-/// What is run of every scene.
+/// Runs of every scene.
 struct VerdictBenchPlan {
     std::uint64_t seed = 1;          ///< of the first set of twins; lengths of models and wrong models follow from it
     std::size_t sets = 4;            ///< of twins, independent of each other
@@ -52,7 +52,7 @@ struct JudgedError {
     std::vector<JudgedModel> shared;
 };
 
-/// What came of a scene.
+/// Results of a scene.
 struct VerdictBench {
     std::string scene;
     std::vector<JudgedSet> sets;
@@ -63,13 +63,13 @@ struct VerdictBench {
 /// Simulation do, SceneError for a scene with a list of motions, records::WriteError.
 VerdictBench run_verdict_bench(const Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings = {});
 
-/// Of some models, those that are called so.
+/// Number of models, and of those among them that are called so.
 struct Tally {
     std::size_t count = 0, of = 0;
     double low = 0.0, high = 1.0;  ///< Clopper and Pearson's limits of their share, 95 % [ClopperPearson34]
 };
 Tally tally(const std::vector<JudgedModel>& models, Agreement agreement);
-/// Of exact models over scenes.
+/// Tally of exact models over scenes.
 Tally tally_exact(const std::vector<VerdictBench>& benches, Agreement agreement);
 
 /// The size of an error that is found in 95 of 100 models: from the line of leads over log10 of the size, and the scatter about it [-].
@@ -77,7 +77,7 @@ struct FoundSize {
     double size = 0.0;
     double low = 0.0, high = 0.0;  ///< 95 %
 };
-/// Of one error over its sizes; nothing where leads do not grow with the size. `models`: JudgedError::alone or shared.
+/// Size that is found of one error, over its sizes; nothing where leads do not grow with the size. `models`: JudgedError::alone or shared.
 std::optional<FoundSize> find_size(const VerdictBench& bench, ModelError error, std::vector<JudgedModel> JudgedError::*models);
 
 }  // namespace musim::lsdem

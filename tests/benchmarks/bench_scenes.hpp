@@ -20,7 +20,8 @@ struct BenchScene {
 ///   tower                    every interface in contact and sticking
 ///   tower_sliding            every interface slides, layer against layer
 ///   towers_28k, towers_200k  4 and 28 such towers in a row
-/// What a scene does not need, against tower_shaken (three components, 10 Hz, up to 1 g: contacts stick, slide and part):
+/// Scenes of a benchmark. What a scene does not need, against tower_shaken (three components, 10 Hz, up to 1 g: contacts stick, slide and
+/// part):
 ///   shaken_one_component, shaken_no_friction, shaken_elastic (e = 1), shaken_no_rotation
 ///   tower_nodes              contact by the leader's 44 nodes a face in place of overlap; sticking
 ///   tower_grid               blocks as grid level sets, voxel 0.65 mm; sticking

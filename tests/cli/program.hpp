@@ -20,7 +20,7 @@
 
 namespace musim::cli {
 
-/// What the program left behind.
+/// Outcome of the program: exit code and what it printed.
 struct Outcome {
     int exit_code = -1;
     std::string out;
@@ -93,7 +93,7 @@ rm -rf kept started kill.sh
     bool has(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
     std::string read(const std::string& name) const { return musim::tests::bytes_of(folder_.path() / name); }
 
-    /// How many files and folders there are, but for what run() leaves; in a folder of it, all.
+    /// Number of files and folders, but for what run() leaves; in a folder of it, all.
     long count(const std::string& folder = ".") const {
         long n = 0;
         for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / folder)) {

@@ -23,7 +23,7 @@ void require(herr_t status) {
     if (status < 0) std::abort();
 }
 
-/// What a group holds, by path.
+/// Datasets of a group, by path.
 std::vector<std::string> list_datasets(hid_t file) {
     std::vector<std::string> paths;
     const auto note = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {

@@ -93,7 +93,7 @@ void require_line(const std::string& message) {
     if (message.find('\n') != std::string::npos) __builtin_trap();
 }
 
-/// What `read` throws is one line.
+/// Check that what `read` throws is one line.
 template <class Read>
 void allow_refusal(const Read& read) {
     try {

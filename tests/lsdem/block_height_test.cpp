@@ -87,7 +87,7 @@ std::vector<Place> stack(const Stone& stone, const std::vector<double>& strains,
     return places;
 }
 
-/// How far the blocks of two twins moved, and how far the twins came apart.
+/// Distances that the blocks of two twins moved, and by which the twins came apart.
 struct Comparison {
     double moved = 0.0;   ///< farthest any block went or turned [heights, rad]
     double apart = 0.0;   ///< largest difference between the twins [heights, rad]
@@ -153,7 +153,7 @@ std::vector<Place> collide(const Stone& stone, double strain, double other) {
     return places;
 }
 
-/// What a neighbor search finds.
+/// Contacts that a neighbor search finds.
 ContactList find_contacts(const Model& model) {
     NeighborSearch search(model);
     Bodies bodies(model);

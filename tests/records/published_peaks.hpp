@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-/// What the README of the shared records says of each file a reader must read, measured there by an independent parser.
+/// Peaks that the README of the shared records gives for each file a reader must read, measured there by an independent parser.
 namespace musim::tests {
 
 struct PublishedPeak {

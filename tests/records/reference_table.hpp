@@ -38,11 +38,11 @@ struct Range {
     double least = 0.0;
     double largest = 0.0;
 
-    /// How far a value lies outside.
+    /// Distance of a value outside.
     double distance(double value) const { return std::max({least - value, value - largest, 0.0}); }
 };
 
-/// What `response` takes within a printed period's rounding: looked at in nine places, the printed period in the middle.
+/// Range that `response` takes within a printed period's rounding: looked at in nine places, the printed period in the middle.
 template <class Response>
 Range find_range(double period, double half_unit_of_period, Response&& response) {
     constexpr int kPlaces = 4;  // to each side

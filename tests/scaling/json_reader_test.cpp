@@ -26,7 +26,7 @@ class StrictRules final : public JsonRules {
 
 const Rules kRules;
 
-/// What is said of the value at "a" of an object of this text.
+/// Message about the value at "a" of an object of this text.
 template <class Value>
 std::string refuse(const char* text, const JsonRules& rules = kRules) {
     const auto json = JsonReader::Json::parse(text);

@@ -24,7 +24,7 @@ std::array<Cell, 2> cells_of(const Domino& domino) {
     return {Cell{domino.i, domino.j}, domino.along_x ? Cell{domino.i + 1, domino.j} : Cell{domino.i, domino.j + 1}};
 }
 
-/// How often each cell is covered, counted without the library's own plan.
+/// Number of times that each cell is covered, counted without the library's own plan.
 std::map<Cell, int> count_covers(const TowerTiling& tiling) {
     std::map<Cell, int> covers;
     for (const Domino& domino : tiling.dominoes) {

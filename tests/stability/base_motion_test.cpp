@@ -12,7 +12,7 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
-/// How far the uppermost block of a column leans under A g: joints of n blocks bear N = n m g at e = A n H/2 from the middle, evenly spread
+/// Lean of the uppermost block of a column under A g: joints of n blocks bear N = n m g at e = A n H/2 from the middle, evenly spread
 /// within b/6, else as a wedge over 3 (b/2 − e) [m].
 double find_lean(const Stone& stone, int count, double acceleration_g) {
     const double b = stone.size.x(), h = stone.size.z(), per_length = stone.normal_stiffness / b;

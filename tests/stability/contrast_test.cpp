@@ -12,7 +12,7 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
-/// What let-go or struck stacks keep to. Closure: a light block that bounces on a heavy one touches and parts within steps, each time
+/// Demands on let-go or struck stacks. Closure: a light block that bounces on a heavy one touches and parts within steps, each time
 /// (ω0 dt)² of its energy, and all the energy in play is its own; second order (2.4e-2, 6e-3, 1.4e-3 at 1, 1/2, 1/4 of the default step).
 /// Overlap: 0.1 m/s times sqrt(m/k_n) is 2e-4 of an edge, sqrt(1e6) times that when the stiffness falls so far.
 constexpr Demands kStruck{.closure = 0.05, .gain = 1e-6, .overlap = 0.1};

@@ -9,8 +9,8 @@
 
 namespace musim::lsdem::tests {
 
-/// What a stressed run did. Energies are measured against the largest energy in play (kinetic + released by gravity + elastic + losses +
-/// |work of the base|), lengths against the smallest edge of all blocks.
+/// Observation of a stressed run. Energies are measured against the largest energy in play (kinetic + released by gravity + elastic +
+/// losses + |work of the base|), lengths against the smallest edge of all blocks.
 struct Observation {
     std::optional<Divergence> divergence;  ///< how the run failed, if it did
     double time = 0.0;                     ///< simulated [s]

@@ -32,7 +32,7 @@ void place_at_depth(Model& model, const Vector3& direction, double depth) {
     }
 }
 
-/// How often random pairs of equal boxes carry a force although apart, and none although they overlap.
+/// Numbers of random pairs of equal boxes that carry a force although apart, and none although they overlap.
 struct PairCount {
     int apart = 0, ghosts = 0, touching = 0, missed = 0;
     double widest_ghost = 0.0, deepest_missed = 0.0;  ///< [smallest edge]

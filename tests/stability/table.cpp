@@ -19,7 +19,7 @@ void note_row(const std::string& name, const Observation& seen, const std::strin
     if (const char* path = std::getenv("MUSIM_STABILITY_TABLE")) std::ofstream(path, std::ios::app) << row;
 }
 
-/// Of positions, a few hundred edges from the origin at most, in edges [-].
+/// Rounding of positions, a few hundred edges from the origin at most, in edges [-].
 constexpr double kRounding = 1e-12;
 
 /// The demands that a run breaks, by name; empty for none.

@@ -7,7 +7,7 @@
 
 namespace musim::lsdem::tests {
 
-/// What a stressed run must keep to; what a case does not ask for is not limited.
+/// Demands that a stressed run must keep to; what a case does not ask for is not limited.
 struct Demands {
     static constexpr double kAny = std::numeric_limits<double>::infinity();
     double closure = kAny;  ///< most that the energy balance may be open

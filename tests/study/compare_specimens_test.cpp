@@ -26,7 +26,7 @@ SpecimenSet make_set(const std::string& name, std::uint64_t first_seed, const st
     return set;
 }
 
-/// Of 400 pairs of samples of 8 and 10 normal numbers, with these standard deviations, how many have such a probability below 0.05?
+/// Number of pairs, of 400 of samples of 8 and 10 normal numbers with these standard deviations, that have such a probability below 0.05.
 int count_unlikely(double first_sd, double second_sd, double TwoSamples::*probability) {
     std::mt19937 bits(7);
     std::normal_distribution<double> first(0.0, first_sd), second(0.0, second_sd);

@@ -17,9 +17,9 @@ using musim::scaling::GivenFactor;
 
 namespace {
 
-/// What theory (docs/theory/similitude.md, "Laws" and "When friction differs") says of a law with these factors: a model is its prototype
-/// in other units if λ_a = λ_g and λ_μ = 1, since every group is kept then; else blocks that slip and rock move in another way. Friction of
-/// 0.4 times concrete's is below tan α = 0.32: what rocked slips.
+/// Expectation of theory (docs/theory/similitude.md, "Laws" and "When friction differs") for a law with these factors: a model is its
+/// prototype in other units if λ_a = λ_g and λ_μ = 1, since every group is kept then; else blocks that slip and rock move in another way.
+/// Friction of 0.4 times concrete's is below tan α = 0.32: what rocked slips.
 struct LawCase {
     const char* law;
     std::vector<GivenFactor> set;  ///< besides the length

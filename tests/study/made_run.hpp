@@ -42,7 +42,7 @@ inline RunResult make_made_run(std::size_t samples) {
     return run;
 }
 
-/// What a perfectly similar model would have recorded.
+/// Run that a perfectly similar model would have recorded.
 inline RunResult scale_run(RunResult run, const scaling::Similitude& s) {
     for (double& t : run.history.time) t *= s.time();
     for (BaseState& base : run.history.base) {

@@ -8,14 +8,14 @@
 
 namespace musim::tests {
 
-/// How many damages a test tries: as many as MUSIM_DAMAGES says (scripts/damage), else so many that it is quick.
+/// Number of damages that a test tries: as many as MUSIM_DAMAGES says (scripts/damage), else so many that it is quick.
 inline int count_damages() {
     const char* wanted = std::getenv("MUSIM_DAMAGES");
     return wanted == nullptr ? 100 : std::atoi(wanted);
 }
 
-/// What may happen to a file: a bit flipped, its end cut off, a run of bytes zeroed or written twice. Kind, place and length are drawn; the
-/// bytes that come back differ from those given.
+/// Damage that may happen to a file: a bit flipped, its end cut off, a run of bytes zeroed or written twice. Kind, place and length are
+/// drawn; the bytes that come back differ from those given.
 inline std::string damage(const std::string& bytes, std::mt19937_64& random) {
     std::string damaged = bytes;
     while (damaged == bytes) {

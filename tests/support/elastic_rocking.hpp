@@ -43,7 +43,7 @@ class ElasticRocking {
         return elastic / exact - 1.0;
     }
 
-    /// What the base of a block that rests at the tilt `theta` but for its fall bears at the first instant, over its weight.
+    /// Load on the base of a block that rests at the tilt `theta` but for its fall, at the first instant, over its weight.
     double starting_load(double theta) const { return load(theta, theta); }
     double starting_friction(double theta) const { return 0.75 * std::sin(from_balance(theta)) * std::cos(from_balance(theta)); }
 
@@ -81,7 +81,7 @@ class ElasticRocking {
     double from_balance(double theta) const { return block_.slenderness() - theta; }
     double lift_off(double load) const { return 2.0 * load * stone_.weight() / (per_length_ * stone_.size.x() * stone_.size.x()); }
 
-    /// How far inside the edge its force acts [m].
+    /// Distance from the edge at which its force acts [m].
     double inset(double theta) const {
         const double b = stone_.size.x();
         if (theta < lift_off(1.0)) return 0.5 * b - per_length_ * b * b * b * theta / (12.0 * stone_.weight());

@@ -2,7 +2,7 @@
 
 namespace musim::tests {
 
-/// How many random trials a test makes: an eighth of them under sanitizers, which watch memory and threads, not rare poses or means.
+/// Number of random trials that a test makes: an eighth of them under sanitizers, which watch memory and threads, not rare poses or means.
 constexpr int trials(int count) {
 #ifdef MUSIM_SANITIZED
     return count / 8;

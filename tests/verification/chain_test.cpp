@@ -69,7 +69,7 @@ double measure_frequency(const Stone& given, std::size_t count, std::size_t mode
     return 6.0 * kPi / (last - first);
 }
 
-/// What the leapfrog scheme makes of a frequency: sin(ω' dt/2) = ω dt/2.
+/// Frequency by the leapfrog scheme: sin(ω' dt/2) = ω dt/2.
 double leapfrog_frequency(double omega, double step) { return 2.0 / step * std::asin(0.5 * omega * step); }
 
 }  // namespace

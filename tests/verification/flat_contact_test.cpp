@@ -12,7 +12,7 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
-/// What two bodies whose rims are flush bear and store, over K [m³, m⁴].
+/// Load and energy of two bodies whose rims are flush, over K [m³, m⁴].
 struct Flat {
     double force, energy;
 };

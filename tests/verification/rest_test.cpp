@@ -55,7 +55,7 @@ TEST_SUITE("slow") {
 
 namespace {
 
-/// How a structure behaves between two moments after it was let go.
+/// Behaviour of a structure between two moments after it was let go.
 struct Rest {
     double reaction = 0.0;       ///< largest |base reaction/weight − 1| in the second half
     double vertical = 0.0;       ///< root mean square vertical velocity at the end over that at its greatest

@@ -124,7 +124,7 @@ TEST_CASE("an impact of a rocking block takes energy and books where it went" * 
 
 namespace {
 
-/// What a block does under a constant base acceleration.
+/// Response of a block under a constant base acceleration.
 struct Response {
     double slip = 0.0;  ///< of the leading bottom edge against the base, along x [m]
     double tilt = 0.0;  ///< [rad]

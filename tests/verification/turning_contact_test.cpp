@@ -47,7 +47,7 @@ Model make_beam_on_edge(const Stone& stone, double rate) {
     return model;
 }
 
-/// What the normal force on a block has given it since the start, as it would fall without [N·s].
+/// Impulse of the normal force on a block since the start, as it would fall without [N·s].
 double normal_impulse(const Simulation& simulation, const Stone& stone, std::size_t block) {
     return stone.mass() * (kGravity * simulation.time() + simulation.velocity(block).z());
 }

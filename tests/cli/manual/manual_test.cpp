@@ -53,7 +53,7 @@ std::string replace_all(const std::string& text, const std::string& what, const 
     return std::regex_replace(text, std::regex(what), by);
 }
 
-/// What a command of the shell prints.
+/// Output of a command of the shell.
 std::string print_of(const Workplace& here, const std::string& command) {
     here.shell("{ " + command + "; } >printed 2>&1");
     return here.read("printed");

@@ -5,7 +5,7 @@
 
 namespace musim::lsdem::tests {
 
-/// What friction and dashpots ask of the main cells of a pair, see MainCells.
+/// Questions of friction and dashpots to the main cells of a pair, see MainCells.
 struct MainCellQuestion {
     AffinePressure dashpot;
     double stiffness;
@@ -17,7 +17,7 @@ struct MainCellAnswer {
     bool may_pull;
     bool operator==(const MainCellAnswer&) const = default;
 };
-/// Of detail::kLanePairs pairs, four side by side.
+/// Answers of detail::kLanePairs pairs, four side by side.
 void ask_main_cells(const detail::BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers);
 
 }  // namespace musim::lsdem::tests

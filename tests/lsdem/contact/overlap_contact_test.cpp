@@ -23,7 +23,7 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
-/// What acts on the upper box: about its centre.
+/// Force on the upper box, and moment about its centre.
 struct Push {
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero();  ///< [N], [N·m]
 };
@@ -73,7 +73,7 @@ constexpr Interface kLaw{.normal_stiffness = 1e9, .shear_stiffness = 0.8e9, .fri
 constexpr double kHeight = 1.0;
 
 /// Turns the box about its x axis until the part `open` of a joint of width w has opened, and back, under the load of `depth` all over it.
-/// What the contact does in the end.
+/// Push of the contact in the end.
 Push open_and_close(MovedBox& box, double w, double depth, double open) {
     constexpr int kSteps = 800;
     constexpr double kAllClosed = 0.2;  // of the way to the end: all of the joint bears until then

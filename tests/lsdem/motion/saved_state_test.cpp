@@ -33,7 +33,7 @@ Simulation restore(const Model& model, const std::string& state, int threads = 1
     return Simulation::restore(model, in, threads);
 }
 
-/// What the error says when a state is refused; empty when it is not.
+/// Message of the error by which a state is refused; empty when it is not.
 std::string refusal(const Model& model, const std::string& state) {
     try {
         (void)restore(model, state);

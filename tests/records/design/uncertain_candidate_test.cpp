@@ -65,7 +65,7 @@ Answer find_answer(const std::string& more, const std::string& material = kWood)
     return {reading.inputs(), candidates, propagate(setting, candidates, reading.inputs(), moved)};
 }
 
-/// What samples say of the only candidate.
+/// Samples of the only candidate.
 struct SampledAnswer {
     Candidate candidate;
     SampledCandidate sampled;

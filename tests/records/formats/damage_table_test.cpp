@@ -157,7 +157,7 @@ const std::vector<Damage>& damages() {
     return all;
 }
 
-/// What a reader answers to the file: its message without the folder, or that the samples are those of the sound file.
+/// Answer of a reader to the file: its message without the folder, or that the samples are those of the sound file.
 std::string answer(const std::filesystem::path& file, const ReadOptions& options, const std::filesystem::path& sound) {
     try {
         const GroundMotion motion = read_record(file, options);
@@ -175,7 +175,7 @@ std::string answer(const std::filesystem::path& file, const ReadOptions& options
     }
 }
 
-/// What the page says of a damage, on one line: the heading with the file, and the item below it.
+/// Words of the page about a damage, on one line: the heading with the file, and the item below it.
 std::string row_of(std::string_view file, std::string_view what, std::string_view answer) {
     return "## `" + std::string(file.empty() ? "file.txt" : file) + "` - " + std::string(what) + ": " + std::string(answer);
 }

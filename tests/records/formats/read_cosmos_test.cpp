@@ -17,7 +17,7 @@ namespace {
 
 using lsdem::tests::relative;
 
-/// What a channel made for a test says; the rest is the same for all.
+/// Values of a channel made for a test; the rest is the same for all.
 struct CosmosChannel {
     std::string stage = "Corrected acceleration";
     std::string title = "Sta Chan  1:  90 deg (Rcrdr Chan  1)";

@@ -19,7 +19,7 @@ namespace {
 
 using lsdem::tests::relative;
 
-/// What a miniSEED 3 record made for a test says; the rest is the same for all.
+/// Values of a miniSEED 3 record made for a test; the rest is the same for all.
 struct Ms3Record {
     std::string identifier = "FDSN:XX_ABC__H_N_E";
     std::uint16_t day = 60;  ///< of 2020: 29 February

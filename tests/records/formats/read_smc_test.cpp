@@ -16,7 +16,7 @@ namespace {
 
 using lsdem::tests::relative;
 
-/// What a file made for a test says; the rest is the same for all.
+/// Values of a file made for a test; the rest is the same for all.
 struct File {
     std::string title = "2 CORRECTED ACCELEROGRAM";
     std::string station = "station = Somewhere, FS 25   component=    360";

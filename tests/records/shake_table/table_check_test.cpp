@@ -20,7 +20,7 @@ namespace si = scaling::si;
 
 constexpr double kEnergyShare = 0.99;
 
-/// What the tests' motion asks of a table, as a prototype.
+/// Demand of the tests' motion on a table, as a prototype.
 TableDemand demand() {
     return {0.5 * si::meters,  0.4 * si::meters,  1.5 * si::meters_per_second, 6.0 * si::meters_per_second_squared,
             0.2 / si::seconds, 12.0 / si::seconds};

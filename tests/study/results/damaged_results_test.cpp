@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// How many of the damages of a file `read` takes without a ResultError; the file is whole again afterwards.
+/// Number of damages of a file that `read` takes without a ResultError; the file is whole again afterwards.
 int count_taken(const fs::path& file, const std::function<void()>& read) {
     const std::string whole = bytes_of(file);
     std::mt19937_64 random(1);

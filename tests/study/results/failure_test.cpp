@@ -68,7 +68,7 @@ Vector3 buckle(int level, const Vector3& outward) {
     return -0.4 * outward - 2.0 * Vector3::UnitZ();
 }
 
-/// How the blocks of a tower of ten layers are pushed [m/s]; `part`: 0 at the lowest layer, 1 at the highest.
+/// Push of the blocks of a tower of ten layers [m/s]; `part`: 0 at the lowest layer, 1 at the highest.
 using Push = Vector3 (*)(double part, const Vector3& outward);
 
 Vector3 push_side(double part, const Vector3& outward) {

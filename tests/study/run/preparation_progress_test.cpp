@@ -23,7 +23,7 @@ Scene make_uneven(const std::string& structure, const std::string& more = "") {
                        "test");
 }
 
-/// What a preparation reports at one look.
+/// Report of a preparation at one look.
 struct Reported {
     double part = 0.0, spare = 0.0;
 };
