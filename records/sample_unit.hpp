@@ -25,7 +25,11 @@ struct SampleUnit {
     double si = 1.0;                                         ///< SI value of one unit: sample_si = sample · si
 };
 
-/// The unit spelled `text` in a record file: "g" (9.80665 m/s²), "gal", "cm/s2", "cm/sec/sec", "(CM/S)", "mm", ...; nothing if unknown.
+/// Text of a unit in small ASCII letters, without brackets around it: "(cm/s²)" → "cm/s2", "µg" → "ug", "°C" → "degc".
+std::string plain_unit_text(std::string_view text);
+
+/// The unit spelled `text` in a record file: "g" (9.80665 m/s²), "mg", "%g", "gal", "cm/s2", "cm s⁻²", "cm/sec/sec", "(CM/S)", "ips", "mm",
+/// "meters per second", ...; nothing if unknown.
 std::optional<SampleUnit> find_sample_unit(std::string_view text);
 
 /// Every known unit name, "g, gal, m/s^2, ...", for messages.

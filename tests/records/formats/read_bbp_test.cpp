@@ -57,8 +57,8 @@ TEST_CASE("every defect of a broadband-platform file is reported with its line")
     check_refused(kBbpFile.substr(0, kBbpFile.find("1.02")), "a:2: one row gives no time step");
     check_refused(kBbpFile.substr(0, kBbpFile.find("1.00")), "a: no samples follow the header");
     check_refused(replaced(kBbpFile, "E-W(cm/s/s)", "E-W(cm/s)"), "a:1: units 'cm/s/s' and 'cm/s' differ");
-    check_refused(replaced(replaced(replaced(kBbpFile, "(cm/s/s)", "(ft)"), "(cm/s/s)", "(ft)"), "(cm/s/s)", "(ft)"),
-                  "a:1: unit 'ft' is unknown");
+    check_refused(replaced(replaced(replaced(kBbpFile, "(cm/s/s)", "(furlong)"), "(cm/s/s)", "(furlong)"), "(cm/s/s)", "(furlong)"),
+                  "a:1: unit 'furlong' is unknown");
     check_refused(kBbpFile, "file states its unit cm/s^2 (asked for: g)", {.unit = "g"});
     check_refused(kBbpFile, "file states its time step 0.02 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
 }
