@@ -31,6 +31,8 @@ const Component& GroundMotion::find_component(std::string_view name) const {
         }
         found = &component;
     }
+    const std::optional<std::size_t> number = format == kTextFormat ? detail::parse_count(name) : std::nullopt;
+    if (found == nullptr && number && *number >= 1 && *number <= components.size()) return components[*number - 1];
     if (found == nullptr) {
         throw ReadError(fmt::format("{}: no component '{}' (components: {}); name one of these", where, name, component_names()));
     }

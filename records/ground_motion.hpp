@@ -15,11 +15,14 @@ inline constexpr double kUncorrectedCornerHz = 0.05;
 
 /// One channel of a record.
 struct Component {
-    std::string name = {};                   ///< as the file names it: "360", "Up", "H1"; plain text columns are "1", "2", ...
+    std::string name = {};                   ///< as the file names it: "360", "Up", "H1"; columns without a title are "1", "2", ...
     std::optional<double> azimuth_deg = {};  ///< direction of positive motion, clockwise from north [deg]; unknown or vertical: nothing
     TimeSeries series;                       ///< with its own length, start and time step
     bool up = false;                         ///< the file says that it is vertical, whatever its name
 };
+
+/// Format of columns of numbers.
+inline constexpr std::string_view kTextFormat = "text";
 
 /// A recorded or made ground motion: its channels and where they come from.
 struct GroundMotion {
@@ -35,7 +38,8 @@ struct GroundMotion {
 
     std::vector<std::string> history = {};  ///< what was done to the samples since the file, oldest first
 
-    /// The component called `name`; case and leading zeros do not matter ("up", "090" for "90").
+    /// The component called `name`; case and leading zeros do not matter ("up", "090" for "90"). Those of plain text, which their titles
+    /// name, are found by their number, too: "1" is the first.
     /// Throws ReadError when there is none or several; the message lists those present.
     const Component& find_component(std::string_view name) const;
 

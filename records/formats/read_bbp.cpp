@@ -3,6 +3,7 @@
 #include <array>
 
 #include "records/detail/text.hpp"
+#include "records/formats/detail/column_unit.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
 #include "records/headers/direction.hpp"
@@ -39,7 +40,8 @@ std::optional<std::array<Title, kColumns>> find_titles(const TextFile& file) {
         title = {take_token(name, " \t,"), rest.substr(open + 1, close - open - 1)};
         rest.remove_prefix(close + 1);
     }
-    if (!equal_ignoring_case(titles[0].name, "time") || !trim(rest).empty()) return std::nullopt;
+    const bool is_seconds = read_column_unit(titles[0].unit).seconds == 1.0;
+    if (!equal_ignoring_case(titles[0].name, "time") || !is_seconds || !trim(rest).empty()) return std::nullopt;
     for (std::size_t i = 1; i < kColumns; ++i)
         if (!is_axis(titles.at(i).name)) return std::nullopt;
     return titles;

@@ -46,6 +46,13 @@ void refuse_sensitivity(const std::filesystem::path& path, const ReadOptions& op
                     Remedy{"drop ", Setting::sensitivity, " or ", Setting::station_response});
 }
 
+// binary data have neither lines nor columns
+void refuse_choices(const std::filesystem::path& path, const ReadOptions& options) {
+    if (!options.columns && !options.skipped_lines) return;
+    throw ReadError(fmt::format("{}: columns or lines are chosen (binary data have none)", path.string()),
+                    {"drop ", Setting::columns, " and ", Setting::skipped_lines});
+}
+
 void refuse_binary(const std::filesystem::path& path, std::string_view bytes) {
     constexpr std::size_t kProbe = 4096;  // bytes; text has no NUL, binary data rarely go that far without
     if (bytes.substr(0, kProbe).find('\0') != std::string_view::npos) {
@@ -114,7 +121,8 @@ bool looks_like_smc(const TextFile& file) {
 bool looks_like_peer(const TextFile& file) {
     constexpr std::size_t kHeaderLines = 20;  // PEER needs four; free-text headers of the same family were met with seven
     for (std::size_t index = 0; index < kHeaderLines; ++index) {
-        if (contains_ignoring_case(file.line(index), "NPTS")) return true;
+        // a comment may count the rows of a table
+        if (!file.line(index).starts_with('#') && contains_ignoring_case(file.line(index), "NPTS")) return true;
     }
     return false;
 }
@@ -128,7 +136,8 @@ bool looks_like_knet(const TextFile& file) {
 struct TextFormat {
     bool (*matches)(const TextFile&);
     GroundMotion (*parse)(const TextFile&, const ReadOptions&);
-    bool holds_counts = false;  ///< which a sensitivity turns into motion
+    bool holds_counts = false;      ///< which a sensitivity turns into motion
+    bool is_numbers_alone = false;  ///< plain text for a caller who chooses columns
 };
 
 // GeoNet's title begins like CSMIP's; columns of numbers alone are looked at last
@@ -149,25 +158,29 @@ constexpr TextFormat kTextFormats[] = {
     {looks_like_smc, detail::parse_smc},
     {detail::looks_like_csmnc, detail::parse_csmnc},
     {looks_like_peer, detail::parse_at2},
-    {detail::looks_like_deepsoil, detail::parse_deepsoil},
-    {detail::looks_like_shake, detail::parse_shake},
+    {detail::looks_like_deepsoil, detail::parse_deepsoil, false, true},
+    {detail::looks_like_shake, detail::parse_shake, false, true},
 };
 
 }  // namespace
 
 GroundMotion detail::parse_record(const std::filesystem::path& packed_path, std::string packed_bytes, const ReadOptions& options) {
     auto [path, bytes] = detail::unpack({packed_path, std::move(packed_bytes)});
+    bytes = detail::decode_utf16(std::move(bytes));
     for (const BinaryFormat& format : kBinaryFormats) {
         if (!format.matches(bytes)) continue;
         if (!format.holds_counts) refuse_sensitivity(path, options);
+        refuse_choices(path, options);
         return format.parse(detail::BinaryFile(path, std::move(bytes)), options);
     }
     refuse_binary(path, bytes);
-    const TextFile file(path, std::move(bytes));
+    TextFile file(path, std::move(bytes));
+    if (options.skipped_lines) file.skip(*options.skipped_lines);
     refuse_unsupported(file);
     for (const TextFormat& format : kTextFormats) {
-        if (!format.matches(file)) continue;
+        if (!format.matches(file) || (options.columns && format.is_numbers_alone)) continue;
         if (!format.holds_counts) refuse_sensitivity(path, options);
+        if (options.columns) file.fail("columns are given (those of this format are known)", {"drop ", Setting::columns});
         return format.parse(file, options);
     }
     refuse_sensitivity(path, options);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "records/formats/column_choice.hpp"
 #include "records/ground_motion.hpp"
 
 namespace musim::records {
@@ -16,6 +17,8 @@ struct ReadOptions {
     std::optional<SampleQuantity> quantity = {};
     std::optional<double> sensitivity = {};                 ///< of miniSEED, SLIST, TSPAIR [counts per m/s^2, m/s or m]; 1: SI
     std::optional<std::filesystem::path> station_xml = {};  ///< StationXML file that gives the sensitivity of miniSEED
+    std::optional<ColumnChoices> columns = {};              ///< of plain text files: which column is what
+    std::optional<std::size_t> skipped_lines = {};          ///< lines at the beginning of a text file that are not read
 };
 
 /// Reads a record; its content, not its name, decides the format: PEER AT2/VT2/DT2, CSMIP/CGS V1 and V2, COSMOS, USGS SMC, K-NET and
@@ -30,5 +33,8 @@ GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& o
 
 /// Stands in the history of a text record whose unit nobody gave.
 inline constexpr const char* kUnitNotGiven = " (no unit given)";
+
+/// Begins a line of the history that says what of a text record is left out, or read otherwise than its titles say.
+inline constexpr const char* kReadingNote = "note: ";
 
 }  // namespace musim::records

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <optional>
@@ -43,6 +44,32 @@ std::string read_bytes(const std::filesystem::path& path) {
     return *std::move(bytes);
 }
 
+std::string decode_utf16(std::string bytes) {
+    const bool is_little = bytes.starts_with("\xFF\xFE");
+    if (!is_little && !bytes.starts_with("\xFE\xFF")) return bytes;
+    const auto unit_at = [&](std::size_t at) {
+        const auto low = static_cast<unsigned char>(bytes[at + (is_little ? 0 : 1)]),
+                   high = static_cast<unsigned char>(bytes[at + (is_little ? 1 : 0)]);
+        return static_cast<unsigned>(high << 8U) | low;
+    };
+    std::string text;
+    text.reserve(bytes.size() / 2);
+    for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+        const unsigned letter = unit_at(at);
+        if (letter < 0x80) {
+            text += static_cast<char>(letter);
+        } else if (letter < 0x800) {
+            text += {static_cast<char>(0xC0U | (letter >> 6U)), static_cast<char>(0x80U | (letter & 0x3FU))};
+        } else if (letter < 0xD800 || letter > 0xDFFF) {
+            text += {static_cast<char>(0xE0U | (letter >> 12U)), static_cast<char>(0x80U | ((letter >> 6U) & 0x3FU)),
+                     static_cast<char>(0x80U | (letter & 0x3FU))};
+        } else {
+            text += '?';  // halves of letters that no record needs
+        }
+    }
+    return text;
+}
+
 TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(std::move(path)), bytes_(std::move(bytes)) {
     std::string_view rest = bytes_;
     if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
@@ -57,6 +84,13 @@ TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(st
 }
 
 std::string TextFile::place_of(std::size_t index) const { return fmt::format("{}:{}", path().string(), index + 1); }
+
+void TextFile::skip(std::size_t count) {
+    if (count >= lines_.size()) {
+        fail(fmt::format("{} lines are to be skipped (the file has {})", count, lines_.size()), {"correct ", Setting::skipped_lines});
+    }
+    std::fill_n(lines_.begin(), count, std::string_view{});
+}
 
 void TextFile::fail(std::size_t index, std::string_view what_why, const Remedy& what_to_do) const {
     throw ReadError(fmt::format("{}: {}", place_of(index), what_why), what_to_do);

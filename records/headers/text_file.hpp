@@ -37,6 +37,9 @@ inline constexpr std::size_t kLargestFileBytes = std::size_t{1} << 30U;
 /// Bytes of a regular file. Throws ReadError when it is missing, a folder or device, unreadable, empty or larger than kLargestFileBytes.
 std::string read_bytes(const std::filesystem::path& path);
 
+/// Text in UTF-8 of bytes that begin with a byte-order mark of UTF-16; other bytes as they are.
+std::string decode_utf16(std::string bytes);
+
 /// A text file as lines, and the way readers complain about them.
 class TextFile : public InputFile {
   public:
@@ -44,6 +47,9 @@ class TextFile : public InputFile {
     TextFile(std::filesystem::path path, std::string bytes);
 
     std::size_t size() const { return lines_.size(); }
+
+    /// Empties the first `count` lines, so that those below keep their numbers. Throws ReadError when there are not more lines.
+    void skip(std::size_t count);
 
     /// Line `index`, counted from 0; empty beyond the end.
     std::string_view line(std::size_t index) const { return index < lines_.size() ? lines_[index] : std::string_view{}; }

@@ -55,6 +55,8 @@ double checked_sample(const TextFile& file, std::size_t index, std::string_view 
     return *value * si;
 }
 
+bool is_same_time_step(double a, double b) { return std::abs(a - b) <= kSameTimeStep * b; }
+
 void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt) {
     if (options.quantity && *options.quantity != unit.quantity) {
         file.fail(fmt::format("file holds {} (asked for: {})", to_string(unit.quantity), to_string(*options.quantity)),
@@ -66,7 +68,7 @@ void refuse_contradictions(const InputFile& file, const ReadOptions& options, co
             file.fail(fmt::format("file states its unit {} (asked for: {})", unit.name, *options.unit), Remedy{"drop ", Setting::unit});
         }
     }
-    if (options.dt && std::abs(options.dt->value() - dt.value()) > kSameTimeStep * dt.value()) {
+    if (options.dt && !is_same_time_step(options.dt->value(), dt.value())) {
         file.fail(fmt::format("file states its time step {} s (asked for: {} s)", dt.value(), options.dt->value()),
                   Remedy{"drop ", Setting::time_step});
     }

@@ -50,15 +50,9 @@ GroundMotion parse_shake(const TextFile& file, const ReadOptions& options);
 /// below those of GeoCSV, "# SID: XX_ABC__HNE" and so on, which may give the sensitivity.
 GroundMotion parse_slist(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
-/// Numbers in columns, and the CSV that write_csv() writes.
-///
-/// - Values are separated by blanks, tabs, commas or semicolons; lines starting with `#`, `%` or `//` are comments; one title line may
-///   stand before the numbers, or the pair of lines "name" and "npts dt".
-/// - With two columns or more, a first column that increases evenly is time in seconds, the others are components "1", "2", ...
-/// - Without it options.dt is needed; up to three columns are components, more are one component written several values a line.
-/// - The unit is options.unit, else the one in parentheses in the title or a comment, e.g. "(cm/s/s)", else SI.
-/// The history says how it was read, with kUnitNotGiven when the unit is a guess.
-/// Uneven times and lines of different length are refused.
+/// Numbers in columns, and the CSV that write_csv() writes. Text above the numbers says what columns are (text_heading.hpp), else what they
+/// hold does (text_layout.hpp, text_clock.hpp, text_samples.hpp). The history says how it was read, with kUnitNotGiven when the unit is a
+/// guess. Uneven times and lines of different length are refused.
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_usc(const TextFile& file, const ReadOptions& options);
 
@@ -94,6 +88,9 @@ std::size_t checked_count(const TextFile& file, std::size_t index, std::string_v
 
 /// The sample `text` on line `index`, times `si`; throws ReadError, naming its ordinal number, unless that is a finite number.
 double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si);
+
+/// Are two time steps [s] the same, as files print them?
+bool is_same_time_step(double a, double b);
 
 /// Throws ReadError when the options contradict the unit and time step that the file states.
 void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt);

@@ -18,9 +18,12 @@ constexpr std::string_view kTableSeparators = " \t,";
 struct EvenTimes {
     double start;
     double step;
+    double rounding = 0.0;  ///< of printed times
 
     double time(std::size_t row) const { return start + static_cast<double>(row) * step; }
-    bool meets(double time_of_row, std::size_t row) const { return std::abs(time_of_row - time(row)) <= kTimeJitter * step; }
+    bool meets(double time_of_row, std::size_t row) const {
+        return std::abs(time_of_row - time(row)) <= std::max(kTimeJitter * step, rounding);
+    }
     /// The first row whose time is off by more than a clock's jitter.
     std::optional<std::size_t> find_miss(std::span<const double> times) const {
         for (std::size_t row = 0; row < times.size(); ++row)
@@ -48,6 +51,17 @@ EvenTimes find_usual_times(std::span<const double> times) {
     values.clear();
     for (std::size_t row = 0; row < times.size(); ++row) values.push_back(times[row] - static_cast<double>(row) * step);
     return {median(std::move(values)), step};
+}
+
+/// Step of times that are even but for rounding: the short decimal or whole number of samples a second that explains all of them, else the
+/// mean.
+double find_rounded_step(std::span<const double> times, const EvenTimes& mean) {
+    const double decimal = to_short_decimal(mean.step);
+    if (decimal != mean.step || !(mean.step < 1.0)) return decimal;
+    const EvenTimes whole_rate{times.front(), 1.0 / std::round(1.0 / mean.step)};
+    for (std::size_t row = 0; row < times.size(); ++row)
+        if (std::abs(times[row] - whole_rate.time(row)) > mean.rounding) return mean.step;
+    return whole_rate.step;
 }
 
 }  // namespace
@@ -120,11 +134,13 @@ void check_rows(const TextFile& file, const NumberTable& table, const AnnouncedC
     }
 }
 
-double even_time_step(const TextFile& file, std::span<const double> times, std::span<const std::size_t> lines) {
+double even_time_step(const TextFile& file, std::span<const double> times, std::span<const std::size_t> lines, double printed) {
     if (times.size() < 2) file.fail(lines.front(), "one row gives no time step (two at least are needed)", "fetch the record again");
-    const EvenTimes mean{times.front(), (times.back() - times.front()) / static_cast<double>(times.size() - 1)};
+    const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+    constexpr double kDust = 1.01;  // rounding of both ends
+    const EvenTimes mean{times.front(), step, printed <= 0.5 * step ? kDust * printed : 0.0};
     const std::optional<std::size_t> uneven = mean.find_miss(times);
-    if (!uneven) return to_short_decimal(mean.step);
+    if (!uneven) return mean.rounding > 0.0 ? find_rounded_step(times, mean) : to_short_decimal(mean.step);
 
     // one wrong time at an end shifts the mean step of all; the medians show which it is
     const EvenTimes median_times = find_usual_times(times);
@@ -133,7 +149,7 @@ double even_time_step(const TextFile& file, std::span<const double> times, std::
     const bool may_be_counts =
         row == 0 && times[0] == std::floor(times[0]) && std::abs(times[0] - static_cast<double>(times.size())) <= 1.0;
     file.fail(lines[row],
-              fmt::format("time is {} s (even sampling gives {:.9g} s{})", times[row], usual.time(row),
+              fmt::format("time is {:.10g} s (even sampling gives {:.9g} s{})", times[row], usual.time(row),
                           may_be_counts ? ", and as many rows follow: it may be the number of points" : ""),
               may_be_counts ? "remove the row" : "resample the record evenly");
 }

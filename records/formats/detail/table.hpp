@@ -41,7 +41,8 @@ std::string_view text_in_table(const TextFile& file, const NumberTable& table, s
 void check_rows(const TextFile& file, const NumberTable& table, const AnnouncedCount& announced);
 
 /// Time step of evenly rising times (2 % of a step), taken as the short decimal it means when within 1e-8; `lines` says where the times
-/// stand. Throws ReadError when they are uneven or do not rise.
-double even_time_step(const TextFile& file, std::span<const double> times, std::span<const std::size_t> lines);
+/// stand. Times `printed` to a digit worth so many seconds, at most half a step, may be off by it; the step is then a whole number of
+/// samples a second where all of them allow it. Throws ReadError when they are uneven or do not rise.
+double even_time_step(const TextFile& file, std::span<const double> times, std::span<const std::size_t> lines, double printed = 0.0);
 
 }  // namespace musim::records::detail

@@ -12,9 +12,8 @@ using scaling::si::seconds;
 
 TEST_CASE("an evenly increasing first column is time and the others are components") {
     const tests::TemporaryFolder folder;
-    for (const std::string content :
-         {"0.01 1 -1\n0.02 2 -2\n0.03 3 -3\n", "# title\n0.01,1,-1\n\n0.02,2,-2\n0.03,3,-3,\n",
-          "% a\n// b\ntime x y\n0.01;1;-1\n0.02; 2; -2\n0.03;3;-3\n", "0.01\t1\t-1\r\n0.02\t2\t-2\r\n0.03\t3\t-3"}) {
+    for (const std::string content : {"0.01 1 -1\n0.02 2 -2\n0.03 3 -3\n", "# title\n0.01,1,-1\n\n0.02,2,-2\n0.03,3,-3,\n",
+                                      "% a\n// b\n0.01;1;-1\n0.02; 2; -2\n0.03;3;-3\n", "0.01\t1\t-1\r\n0.02\t2\t-2\r\n0.03\t3\t-3"}) {
         CAPTURE(content);
         const GroundMotion motion = read_record(folder.write("a.txt", content));
 
@@ -69,7 +68,7 @@ TEST_CASE("a counts row gives the time step and is checked against the values") 
 
 TEST_CASE("unit and quantity come from the options, then from the title, then are SI accelerations") {
     const tests::TemporaryFolder folder;
-    const auto plain = folder.write("a", "0 1\n1 2\n");
+    const auto plain = folder.write("a", "0 1\n0.1 2\n");
     const auto titled = folder.write("b", "# time(sec) N-S(cm/s/s)\n0 1\n1 2\n");
     const auto first = [](const GroundMotion& motion) { return motion.components.front().series.samples().front(); };
 
@@ -96,8 +95,9 @@ TEST_CASE("every defect of a text file is reported with its line") {
              Case{"0 1\n1 2\n2.3 3\n3 4\n", "a:3: time is 2.3 s (even sampling gives 2 s)"},
              Case{"0 1\n1 2\n2\n", "a:3: 1 values (the rows above have 2)"},
              Case{"0 1\n1 2 3\n2 3\n", "a:2: 3 values (the rows above have 2)"},
-             Case{"0,1\n1,,2\n", "a:2: empty value between separators"},
-             Case{"0,01;1\n0,02;2\n", "a:1: both ',' and ';' on a line"},
+             Case{"0,1,3\n1,,2\n2,1,4\n", "a:2: empty value between separators"},
+             Case{"0,01;1.5\n0,02;2.5\n", "a:1: both ',' and '.' in numbers"},
+             Case{"1,001;1,502\n1,002;2,512\n", "a:1: every ',' in a number has three digits behind it"},
              Case{"0,01 1,5\n0,02 2,5\n", "a:1: both blanks and ',' between numbers"},
              Case{"1,5\n-2,5\n", "a:1: one ',' within every row, no '.' and no sign behind it"},
              Case{"once upon a time\nthere was a record\n", "a:2: unknown format"},

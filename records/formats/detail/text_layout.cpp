@@ -1,0 +1,415 @@
+#include "records/formats/detail/text_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "records/detail/text.hpp"
+#include "records/error.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+/// Two to three columns without time are components, more are one series, where their values do not show it (docs/user/record_formats.md).
+constexpr std::size_t kMostUntimedComponents = 3;
+
+/// Rows from which on values show what they are.
+constexpr std::size_t kTellingRows = 8;
+
+/// Does a sequence rise from one to the next in nine of ten cases? Times with a slip in them still look like times, no motion rises that
+/// long.
+template <class Value>
+bool is_rising(std::size_t count, const Value& value) {
+    if (count < 2) return false;
+    std::size_t rising = 0;
+    for (std::size_t i = 1; i < count; ++i) rising += value(i) > value(i - 1) ? 1U : 0U;
+    return 10 * rising >= 9 * (count - 1);
+}
+
+bool is_rising(const TextTable& table, std::size_t column) {
+    return is_rising(table.rows.size(), [&](std::size_t row) { return table.at(row, column); });
+}
+
+/// Times of a motion in seconds: they rise evenly, by a step that is usual.
+bool looks_like_seconds(const TextTable& table, std::size_t column) {
+    const std::size_t rows = table.rows.size();
+    if (rows < kTellingRows || is_index_column(table, column)) return false;
+    const double first = table.at(0, column), step = (table.at(rows - 1, column) - first) / static_cast<double>(rows - 1);
+    if (!(step >= kShortestStep && step <= kLongestStep)) return false;
+    for (std::size_t row = 0; row < rows; ++row)
+        if (!(std::abs(table.at(row, column) - first - static_cast<double>(row) * step) <= 0.5 * step)) return false;
+    return true;
+}
+
+bool is_empty_column(const TextTable& table, std::size_t column) {
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+        if (!std::isnan(table.at(row, column))) return false;
+    return true;
+}
+
+bool are_equal_columns(const TextTable& table, std::size_t a, std::size_t b) {
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+        if (table.at(row, a) != table.at(row, b)) return false;
+    return true;
+}
+
+/// "4684 0.0100" above values of one series: their number and the time step. Above rows of two values only where there are fewer.
+bool has_counts_row(const TextTable& table) {
+    if (table.rows.size() < 3 || table.columns() != 2) return false;
+    const double count = table.values[0], step = table.values[1];
+    const std::size_t second = table.rows[1].size;
+    const bool is_even = std::all_of(table.rows.begin() + 1, table.rows.end() - 1, [&](const TextRow& row) { return row.size == second; });
+    if (count != std::floor(count) || !is_even || second == 2) return false;
+    // one value a line is a series whatever its number; several are one when it is right
+    return second == 1 || (step > 0.0 && step <= kLongestStep && count == static_cast<double>(table.values.size() - 2));
+}
+
+/// Length of the groups that begin with a time each, several a line; nothing when there are none.
+std::optional<std::size_t> find_timed_groups(const TextTable& table) {
+    const std::size_t width = table.columns();
+    const std::size_t count = table.values.size();
+    const bool is_even = std::all_of(table.rows.begin(), table.rows.end() - 1, [&](const TextRow& row) { return row.size == width; });
+    for (std::size_t size = 2; is_even && 2 * size <= width; ++size) {
+        if (width % size != 0 || count % size != 0 || count / size < 3) continue;
+        const auto time = [&](std::size_t group) { return table.values[group * size]; };
+        if (!is_rising(count / size, time)) continue;
+        // times rise evenly, values need not
+        const double step = (time(count / size - 1) - time(0)) / static_cast<double>(count / size - 1);
+        std::size_t even = 0;
+        for (std::size_t i = 1; i < count / size; ++i) even += std::abs(time(i) - time(i - 1) - step) <= 0.5 * step ? 1U : 0U;
+        if (10 * even >= 9 * (count / size - 1)) return size;
+    }
+    return std::nullopt;
+}
+
+enum class Shape { components, series, unclear };
+
+/// Neighbors of a motion are alike: those along lines in a series, those along columns in components.
+Shape compare_neighbors(const TextTable& table) {
+    const std::size_t width = table.columns();
+    if (table.rows.size() < kTellingRows) return width <= kMostUntimedComponents ? Shape::components : Shape::series;
+    double along_lines = 0.0, along_columns = 0.0;
+    const std::size_t count = table.values.size();
+    for (std::size_t i = 1; i < count; ++i) along_lines += std::abs(table.values[i] - table.values[i - 1]);
+    for (std::size_t i = width; i < count; ++i) along_columns += std::abs(table.values[i] - table.values[i - width]);
+    along_lines /= static_cast<double>(count - 1);
+    along_columns /= static_cast<double>(count - width);
+    constexpr double kClearly = 0.8;  // of one another
+    if (along_lines < kClearly * along_columns) return Shape::series;
+    if (along_columns < kClearly * along_lines) return Shape::components;
+    return Shape::unclear;
+}
+
+/// Is a column the integral of another, in whatever units? Its increments then follow the other's means.
+bool is_integral(const TextTable& table, std::size_t integral, std::size_t column) {
+    double both = 0.0, of_integral = 0.0, of_column = 0.0;
+    for (std::size_t row = 1; row < table.rows.size(); ++row) {
+        const double increment = table.at(row, integral) - table.at(row - 1, integral);
+        const double mean = 0.5 * (table.at(row, column) + table.at(row - 1, column));
+        both += increment * mean;
+        of_integral += increment * increment;
+        of_column += mean * mean;
+    }
+    constexpr double kAlike = 0.99;  // correlation; printed digits and a baseline correction leave more, two directions far less
+    return table.rows.size() >= kTellingRows && both > kAlike * std::sqrt(of_integral * of_column) && both > 0.0;
+}
+
+class LayoutFinder {
+  public:
+    LayoutFinder(const TextFile& file, TextTable& table, const TextHeading& heading, const ReadOptions& options)
+        : file_(&file), table_(&table), heading_(&heading), options_(&options) {}
+
+    TextLayout find() {
+        if (options_->columns) {
+            follow_choice(*options_->columns);
+        } else if (!heading_->titles.empty() && table_->columns() > 1 && !join_titled_groups()) {
+            require_even_rows(*file_, *table_, false);
+            use_titles();
+        } else {
+            use_values();
+        }
+        for (std::size_t column : layout_.samples) require_values(*file_, *table_, column);
+        if (layout_.time) require_values(*file_, *table_, *layout_.time);
+        return std::move(layout_);
+    }
+
+  private:
+    const ColumnTitle* title(std::size_t column) const { return column < heading_->titles.size() ? &heading_->titles[column] : nullptr; }
+
+    void add(std::size_t column) {
+        layout_.samples.push_back(column);
+        layout_.names.push_back(title(column) != nullptr ? title(column)->name : "");
+    }
+
+    void follow_choice(const ColumnChoices& choices) {
+        check_column_choices(choices);
+        if (choices.size() == 1 && choices.front().column.find('-') != std::string::npos && !find_title(choices.front().column)) {
+            return take_range(choices.front());
+        }
+        require_even_rows(*file_, *table_, false);
+        for (const ColumnChoice& choice : choices) {
+            const std::size_t column = find_column(choice.column);
+            if (equal_ignoring_case(choice.name, kTimeColumn)) {
+                layout_.time = column;
+            } else {
+                layout_.samples.push_back(column);
+                layout_.names.push_back(choice.name);
+            }
+        }
+    }
+
+    /// "x=1-8": the whole width, several values a line.
+    void take_range(const ColumnChoice& choice) {
+        const std::size_t hyphen = choice.column.find('-');
+        const std::optional<std::size_t> first = parse_count(choice.column.substr(0, hyphen)),
+                                         last = parse_count(choice.column.substr(hyphen + 1));
+        if (!first || !last || *first != 1 || *last != table_->columns()) {
+            file_->fail(fmt::format("columns '{}' are not those of a series (its lines have {})", choice.column, table_->columns()),
+                        {"correct ", Setting::columns});
+        }
+        require_even_rows(*file_, *table_, true);
+        use_series();
+        layout_.names = {choice.name};
+    }
+
+    std::optional<std::size_t> find_title(std::string_view text) const {
+        std::optional<std::size_t> found;
+        for (std::size_t column = 0; column < heading_->titles.size(); ++column) {
+            const ColumnTitle& candidate = heading_->titles[column];
+            if (!equal_ignoring_case(candidate.text, text) && !(equal_ignoring_case(candidate.name, text) && !text.empty())) continue;
+            if (found)
+                file_->fail(heading_->titles_line, fmt::format("title '{}' occurs twice", text), {"give its number in ", Setting::columns});
+            found = column;
+        }
+        return found;
+    }
+
+    std::size_t find_column(const std::string& text) const {
+        if (const std::optional<std::size_t> titled = find_title(text)) return *titled;
+        const std::optional<std::size_t> number = parse_count(text);
+        if (number && *number >= 1 && *number <= table_->columns()) return *number - 1;
+        std::string titles;
+        for (const ColumnTitle& candidate : heading_->titles) titles += (titles.empty() ? ": " : ", ") + candidate.text;
+        file_->fail(fmt::format("no column {} (the table has {}{})", quoted(std::string_view(text)), table_->columns(), titles),
+                    {"correct ", Setting::columns});
+    }
+
+    /// Groups of values that begin with a time each, under titles that repeat or say nothing, become rows.
+    bool join_titled_groups() {
+        const std::optional<std::size_t> size = find_timed_groups(*table_);
+        if (!size) return false;
+        for (std::size_t column = 0; column < table_->columns(); column += *size) {
+            if (!title(column)->is_time && title(column)->is_understood()) return false;
+        }
+        return true;
+    }
+
+    void use_titles() {
+        find_titled_time();
+        for (std::size_t column = 0; column < table_->columns(); ++column) {
+            if (is_titled_index(column) && column != layout_.time) layout_.index = column;
+            if (column == layout_.time || column == layout_.index || is_dated(column) || is_empty_column(*table_, column)) continue;
+            if (is_time_title(column)) continue;
+            add(column);
+        }
+        if (!layout_.time) find_untitled_time();
+        if (layout_.samples.empty()) {
+            file_->fail(heading_->titles_line, "no column holds samples (titles name times only)", {"give ", Setting::columns});
+        }
+    }
+
+    bool is_dated(std::size_t column) const {
+        return table_->kind(column) != CellKind::number && table_->kind(column) != CellKind::missing;
+    }
+
+    bool is_titled_index(std::size_t column) const {
+        const ColumnTitle* head = title(column);
+        const bool says_otherwise = head != nullptr && (head->quantity || head->unit.is_known() || head->is_time);
+        const bool says_index = head != nullptr && (head->is_index || (head->text.empty() && column == 0));
+        return !says_otherwise && says_index && is_index_column(*table_, column);
+    }
+
+    bool is_time_title(std::size_t column) const {
+        const ColumnTitle* head = title(column);
+        return head != nullptr && head->is_time && (head->unit.seconds || is_rising(*table_, column));
+    }
+
+    /// The column that a title, or what it holds, says is the time. Of several, those with a unit or instants come first.
+    void find_titled_time() {
+        std::vector<std::size_t> times;
+        for (std::size_t column = 0; column < table_->columns(); ++column) {
+            if (table_->kind(column) == CellKind::instant || is_time_title(column)) times.push_back(column);
+        }
+        if (times.empty()) return;
+        const auto tells = [&](std::size_t column) { return title(column)->unit.seconds || table_->kind(column) == CellKind::instant; };
+        const auto numbers =
+            std::find_if(times.begin(), times.end(), [&](std::size_t column) { return title(column)->unit.seconds.has_value(); });
+        const auto best = numbers != times.end() ? numbers : std::find_if(times.begin(), times.end(), tells);
+        layout_.time = best != times.end() ? *best : times.front();
+        for (const std::size_t other : times) {
+            // each component may have a clock of its own; that of the first holds for all only when they are the same
+            const bool is_same_kind =
+                title(other)->unit.seconds == title(*layout_.time)->unit.seconds && title(other)->text == title(*layout_.time)->text;
+            if (other != *layout_.time && is_same_kind && !are_equal_columns(*table_, other, *layout_.time)) {
+                file_->fail(
+                    heading_->titles_line,
+                    fmt::format("columns {} and {} are both times, and differ (each component has its own)", *layout_.time + 1, other + 1),
+                    {"give the columns of one component with ", Setting::columns});
+            }
+        }
+    }
+
+    /// A first column that rises is the time, whatever its title, unless that names a unit of something else or counts rows.
+    void find_untitled_time() {
+        const std::size_t first = layout_.samples.empty() ? 0 : layout_.samples.front();
+        const ColumnTitle* head = title(first);
+        if (layout_.samples.size() < 2 || head->unit.is_known() || !head->unknown_unit.empty() || head->quantity) return;
+        const bool is_beside_index = first == 1 && is_index_column(*table_, 0);
+        if (first != 0 && !is_beside_index) return;
+        if (!is_rising(*table_, first)) return;
+        layout_.samples.erase(layout_.samples.begin());
+        layout_.names.erase(layout_.names.begin());
+        if (is_index_column(*table_, first)) {
+            layout_.index = first;
+        } else {
+            layout_.time = first;
+        }
+    }
+
+    void use_values() {
+        if (has_counts_row(*table_)) return use_counts_row();
+        if (table_->columns() > 1) {
+            if (const std::optional<std::size_t> size = find_timed_groups(*table_)) reshape(*file_, *table_, *size);
+        }
+        const std::size_t width = table_->columns();
+        if (find_time_by_values()) {
+            require_even_rows(*file_, *table_, false);
+            for (std::size_t column = 0; column < width; ++column) {
+                const bool is_copy = layout_.time && column != *layout_.time && are_equal_columns(*table_, column, *layout_.time);
+                if (column != layout_.time && column != layout_.index && !is_copy && !is_dated(column) && !is_empty_column(*table_, column))
+                    add(column);
+            }
+            refuse_integrals();
+            return;
+        }
+        const bool ends_short = table_->rows.back().size < width && table_->rows.size() > 1;
+        require_even_rows(*file_, *table_, width > kMostUntimedComponents);
+        const Shape shape = ends_short ? Shape::series : width == 1 ? Shape::components : compare_neighbors(*table_);
+        if (shape == Shape::series && width <= kMostUntimedComponents) refuse_unclear_shape();
+        if (shape == Shape::series) return use_series();
+        if (shape == Shape::unclear) refuse_unclear_shape();
+        for (std::size_t column = 0; column < width; ++column) {
+            if (!is_empty_column(*table_, column)) add(column);
+        }
+    }
+
+    /// Accelerations, velocities and displacements without titles would be taken for components.
+    void refuse_integrals() const {
+        for (std::size_t i = 1; i < layout_.samples.size(); ++i) {
+            const std::size_t column = layout_.samples[i - 1], next = layout_.samples[i];
+            if (title(column) != nullptr || !is_integral(*table_, next, column)) continue;
+            file_->fail(table_->rows.front().line,
+                        fmt::format("column {} is the integral of column {} (a velocity beside an acceleration, or the like)", next + 1,
+                                    column + 1),
+                        {"name what to read with ", Setting::columns});
+        }
+    }
+
+    [[noreturn]] void refuse_unclear_shape() const {
+        const std::size_t width = table_->columns();
+        std::string components = "x=1,y=2";
+        if (width > 2) components += ",z=3";
+        file_->fail(
+            table_->rows.front().line,
+            fmt::format("{} values a line without titles or times (components side by side, or several values a line of one)", width),
+            {"give ", Setting::columns, fmt::format(": {} for components, x=1-{} for one series", components, width)});
+    }
+
+    void use_series() {
+        layout_.is_series = table_->columns() > 1;
+        reshape(*file_, *table_, 1);
+        layout_.samples = {0};
+        layout_.names = {""};
+    }
+
+    void use_counts_row() {
+        const double count = table_->values[0];
+        layout_.dt = table_->values[1];
+        const std::size_t line = table_->rows.front().line;
+        table_->rows.erase(table_->rows.begin());
+        use_series();
+        if (count != static_cast<double>(table_->rows.size())) {
+            file_->fail(line, fmt::format("{} points announced ({} follow)", count, table_->rows.size()),
+                        "correct the number or fetch the record again");
+        }
+    }
+
+    /// True when a column without title is the time or an index.
+    bool find_time_by_values() {
+        const std::size_t width = table_->columns();
+        for (std::size_t column = 0; column < table_->kinds.size() && column < width; ++column) {
+            if (table_->kinds[column] == CellKind::instant) {
+                layout_.time = column;
+                return true;
+            }
+        }
+        const bool is_even =
+            std::all_of(table_->rows.begin(), table_->rows.end() - 1, [&](const TextRow& row) { return row.size == width; });
+        if (width < 2 || !is_even || table_->rows.size() < 2) return false;
+        if (table_->rows.back().size != width && !is_rising_but_last(0)) return false;
+        if (table_->rows.back().size != width) require_even_rows(*file_, *table_, false);
+        if (is_rising(*table_, 0)) {
+            if (!is_index_column(*table_, 0) || heading_->stated.seconds) {
+                layout_.time = 0;
+                return true;
+            }
+            layout_.index = 0;
+        }
+        std::vector<std::size_t> others;
+        for (std::size_t column = 1; column < width; ++column)
+            if (looks_like_seconds(*table_, column)) others.push_back(column);
+        const std::size_t columns_of_samples = width - (layout_.index ? 1 : 0) - others.size();
+        if (others.empty() || columns_of_samples == 0) return layout_.index.has_value();
+        if (others.size() > 1) {
+            file_->fail(table_->rows.front().line,
+                        fmt::format("columns {} and {} both rise evenly (which is the time?)", others[0] + 1, others[1] + 1),
+                        {"give ", Setting::columns});
+        }
+        layout_.time = others.front();
+        return true;
+    }
+
+    // a last row that lacks values is damage beside times, and the end of a series otherwise
+    bool is_rising_but_last(std::size_t column) const {
+        return is_rising(table_->rows.size() - 1, [&](std::size_t row) { return table_->at(row, column); }) && table_->rows.size() > 2;
+    }
+
+    const TextFile* file_;
+    TextTable* table_;
+    const TextHeading* heading_;
+    const ReadOptions* options_;
+    TextLayout layout_;
+};
+
+}  // namespace
+
+std::string place_of(std::size_t column, const TextHeading& heading) {
+    const std::string title = column < heading.titles.size() ? heading.titles[column].text : "";
+    return title.empty() ? fmt::format("column {}", column + 1) : fmt::format("column {} {}", column + 1, quoted(std::string_view(title)));
+}
+
+bool is_index_column(const TextTable& table, std::size_t column) {
+    if (table.rows.size() < 2 || table.kind(column) != CellKind::number) return false;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const double value = table.at(row, column);
+        if (value != std::floor(value) || (row > 0 && value - table.at(row - 1, column) != 1.0)) return false;
+    }
+    return true;
+}
+
+TextLayout find_text_layout(const TextFile& file, TextTable& table, const TextHeading& heading, const ReadOptions& options) {
+    return LayoutFinder(file, table, heading, options).find();
+}
+
+}  // namespace musim::records::detail
