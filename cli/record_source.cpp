@@ -8,7 +8,6 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "lsdem/run/use_record.hpp"
-#include "records/formats/read_record.hpp"
 #include "records/synthesis/synthetic.hpp"
 
 namespace musim::cli {
@@ -25,6 +24,15 @@ std::string check_unit(const std::string& text) {
     return records::find_sample_unit(text) ? "" : "\"" + text + "\" is no unit of a record (known: " + records::sample_unit_names() + ")";
 }
 
+std::string check_columns(const std::string& text) {
+    try {
+        records::parse_column_choices(text);
+    } catch (const records::ReadError& error) {
+        return error.what();
+    }
+    return "";
+}
+
 /// "x=360 y=90" as names along the axes.
 lsdem::AxisComponents parse_components(const std::vector<std::string>& texts) {
     lsdem::AxisComponents components;
@@ -38,15 +46,37 @@ lsdem::AxisComponents parse_components(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-void add_text_record_options(CLI::App& command, std::optional<std::string>& unit, std::optional<Number>& dt) {
-    command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER")->check(above_zero());
-    command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")
-        ->type_name("UNIT")
-        ->check(CLI::Validator(check_unit, ""));
+void TextRecordOptions::add_to(CLI::App& command, CLI::Option* file) {
+    constexpr int kMostLines = 1'000'000'000;  // more than a file of the largest size that is read can have
+    CLI::Option* const options[] = {
+        command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER")->check(above_zero()),
+        command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")
+            ->type_name("UNIT")
+            ->check(CLI::Validator(check_unit, "")),
+        command
+            .add_option("--columns", columns,
+                        "Columns of a plain text file, counted from 1 or by their titles, e.g. time=2,x=3 (default: as its titles say)")
+            ->type_name("NAME=COLUMN,...")
+            ->check(CLI::Validator(check_columns, "")),
+        command.add_option("--skip", skip, "Lines at the beginning of a text file that are not read")
+            ->type_name("LINES")
+            ->check(whole_between(0, kMostLines)),
+    };
+    for (CLI::Option* const option : options)
+        if (file != nullptr) option->needs(file);
+}
+
+records::ReadOptions TextRecordOptions::read_options() const {
+    records::ReadOptions options;
+    if (dt) options.dt = dt->value * scaling::si::seconds;
+    options.unit = unit;
+    if (columns) options.columns = records::parse_column_choices(*columns);
+    if (skip) options.skipped_lines = static_cast<std::size_t>(*skip);
+    return options;
 }
 
 void RecordSourceOptions::add_to(CLI::App& command) {
-    add_text_record_options(command, unit, dt);
+    text.add_to(command);
     command
         .add_option("--quantity", quantity,
                     "What a text file holds, or which series to take of a file with several: acceleration, velocity or displacement")
@@ -66,14 +96,15 @@ std::vector<std::string> RecordSourceOptions::find_files(std::vector<std::string
 
 records::GroundMotion RecordSourceOptions::load(const std::string& source) const {
     if (source == kBuiltInRecord) return records::make_synthetic_record();
-    records::ReadOptions options{.dt = {}, .unit = unit, .quantity = {}};
-    if (dt) options.dt = dt->value * scaling::si::seconds;
+    records::ReadOptions options = text.read_options();
     if (sensitivity) options.sensitivity = sensitivity->value;
     if (!station_xml.empty()) options.station_xml = station_xml;
     if (quantity) options.quantity = records::find_sample_quantity(*quantity);
     records::GroundMotion motion = records::read_record(source, options);
-    for (const std::string& line : motion.history)
+    for (const std::string& line : motion.history) {
         if (line.find(records::kUnitNotGiven) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");
+        if (line.starts_with(records::kReadingNote)) note_at_end("musim: " + line);
+    }
     return motion;
 }
 
@@ -86,14 +117,11 @@ void RecordMotionOptions::add_to(CLI::App& command, const std::string& help) {
     command.add_option("--component", components, "Component along an axis, e.g. x=360 (default: the strongest horizontal along x)")
         ->type_name("AXIS=NAME")
         ->needs(option);
-    add_text_record_options(command, unit, dt);
-    command.get_option("--unit")->needs(option);
-    command.get_option("--dt")->needs(option);
+    text.add_to(command, option);
 }
 
 void RecordMotionOptions::apply(lsdem::Scene& scene) const {
-    const std::optional<scaling::Time> step = dt ? std::optional(dt->value * scaling::si::seconds) : std::nullopt;
-    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components), unit, step);
+    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components), text.read_options());
     for (const std::string& line : steps) note("{}: {}\n", record, line);
 }
 

@@ -7,17 +7,26 @@
 
 #include "cli/options.hpp"
 #include "lsdem/scene/scene.hpp"
-#include "records/ground_motion.hpp"
+#include "records/formats/read_record.hpp"
 
 namespace musim::cli {
 
-/// Adds --dt and --unit, of plain text files.
-void add_text_record_options(CLI::App& command, std::optional<std::string>& unit, std::optional<Number>& dt);
-
-/// Options for what a record file may leave unsaid, as options --dt, --unit, --quantity, --sensitivity, --station-xml.
-struct RecordSourceOptions {
-    std::optional<Number> dt;
+/// Missing parts of plain text files, as options --dt, --unit, --columns, --skip.
+struct TextRecordOptions {
+    std::optional<Number> dt;  ///< [s]
     std::optional<std::string> unit;
+    std::optional<std::string> columns;  ///< "time=2,x=3"
+    std::optional<int> skip;             ///< lines
+
+    /// Adds the options, each of which needs `file` where that is an option.
+    void add_to(CLI::App& command, CLI::Option* file = nullptr);
+
+    records::ReadOptions read_options() const;
+};
+
+/// Missing parts of record files: the options of text files, --quantity, --sensitivity, --station-xml.
+struct RecordSourceOptions {
+    TextRecordOptions text;
     std::optional<std::string> quantity;
     std::optional<Number> sensitivity;
     std::string station_xml;
@@ -34,12 +43,11 @@ struct RecordSourceOptions {
     records::GroundMotion load_beside(const std::string& naming_file, const std::string& source) const;
 };
 
-/// A record that shakes a scene, as options --record, --component, --unit and --dt.
+/// A record that shakes a scene, as options --record, --component, and those of text files.
 struct RecordMotionOptions {
     std::string record;                   ///< file; empty: the scene's own motion stays
     std::vector<std::string> components;  ///< "x=360"
-    std::optional<std::string> unit;      ///< of a plain text file
-    std::optional<Number> dt;             ///< likewise [s]
+    TextRecordOptions text;
 
     /// Adds the options; `help` says what becomes of the record.
     void add_to(CLI::App& command, const std::string& help);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "records/formats/read_record.hpp"
 #include "records/measures/intensity.hpp"
 #include "records/processing/processing.hpp"
 
@@ -26,18 +25,22 @@ std::string describe_filter(const records::GroundMotion& motion) {
 }  // namespace
 
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
-                                    const std::optional<std::string>& unit, const std::optional<scaling::Time>& dt) {
-    const records::GroundMotion motion = records::read_record(file, {.dt = dt, .unit = unit, .quantity = {}});
+                                    const records::ReadOptions& reading) {
+    const records::GroundMotion motion = records::read_record(file, reading);
     std::vector<std::string> steps;
     for (const std::string& line : motion.history) {
         if (line.find(records::kUnitNotGiven) != std::string::npos) steps.push_back(line + "; add --unit if that is wrong");
+        if (line.starts_with(records::kReadingNote)) steps.push_back(line.substr(std::string_view(records::kReadingNote).size()));
     }
 
     RecordMotion source;
     source.file = std::filesystem::absolute(file);
     source.components = components;
-    source.unit = unit;
-    source.dt = dt;
+    source.unit = reading.unit;
+    source.quantity = reading.quantity;
+    source.dt = reading.dt;
+    source.columns = reading.columns;
+    source.skip = reading.skipped_lines;
     if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {
         source.components[0] = records::find_strongest_horizontal(motion).name;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsdem/scene/scene.hpp"
+#include "records/formats/read_record.hpp"
 
 namespace musim::lsdem {
 
@@ -17,10 +18,10 @@ using AxisComponents = std::array<std::optional<std::string>, 3>;
 ///
 /// With no component named, the one with the largest PGA among the horizontal ones (those with an azimuth; all, when no azimuth is known)
 /// goes along x. The window is records::find_strong_motion of the first component used, of an uncorrected record above its initial level;
-/// the high-pass corner is the record's own (0.05 Hz for uncorrected records). `unit` and `dt` are of plain text files, which the scene
-/// then names. Returns what was done, one line each. Throws records::ReadError and records::ProcessingError.
+/// the high-pass corner is the record's own (0.05 Hz for uncorrected records). Options of plain text files are those that the scene then
+/// names. Returns what was done, one line each. Throws records::ReadError and records::ProcessingError.
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
-                                    const std::optional<std::string>& unit = {}, const std::optional<scaling::Time>& dt = {});
+                                    const records::ReadOptions& reading = {});
 
 /// Lets the record that a scene uses be of a prototype, of which the scene is a model by a law (RecordScale); its duration is then the
 /// model's. Nothing is done where every factor is 1. Throws scaling::SimilitudeError. Requires a record.

@@ -124,7 +124,9 @@ records::GroundMotion read_scene_record(const RecordMotion& motion) {
                                                   .unit = motion.unit,
                                                   .quantity = motion.quantity,
                                                   .sensitivity = motion.sensitivity,
-                                                  .station_xml = motion.station_xml});
+                                                  .station_xml = motion.station_xml,
+                                                  .columns = motion.columns,
+                                                  .skipped_lines = motion.skip});
     } catch (const records::ReadError& error) {
         throw records::ReadError(error.worded(scene_key));
     }

@@ -15,6 +15,7 @@
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/preparation.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
+#include "records/formats/column_choice.hpp"
 #include "records/sample_unit.hpp"
 #include "scaling/laws/similitude.hpp"
 #include "scaling/units.hpp"
@@ -131,6 +132,8 @@ struct RecordMotion {
     std::optional<scaling::Time> dt;                       ///< of files without one
     std::optional<double> sensitivity;                     ///< of files of counts [counts per m/s^2, m/s or m]
     std::optional<std::filesystem::path> station_xml;      ///< of files of counts: StationXML file that gives it; absolute path
+    std::optional<records::ColumnChoices> columns;         ///< of plain text files: which column is what
+    std::optional<std::size_t> skip;                       ///< lines at the beginning of text files that are not read
     std::optional<std::array<scaling::Time, 2>> window;    ///< part to use, in the record's own time; it starts at t = 0
     std::optional<scaling::Frequency> highpass_corner;     ///< default: what the record itself asks for
     std::optional<RecordScale> scale;

@@ -82,6 +82,19 @@ class SceneWriter {
     }
     ordered_json write(const TilingSettings& tiling) const { return write_part(tiling); }
     ordered_json write(records::SampleQuantity quantity) const { return records::to_string(quantity); }
+    /// Numbers of columns as numbers.
+    ordered_json write(const records::ColumnChoices& columns) const {
+        ordered_json object = ordered_json::object();
+        for (const records::ColumnChoice& choice : columns) {
+            const bool is_number = choice.column.size() < 10 && choice.column.find_first_not_of("0123456789") == std::string::npos;
+            if (is_number) {
+                object[choice.name] = std::stoul(choice.column);
+            } else {
+                object[choice.name] = choice.column;
+            }
+        }
+        return object;
+    }
     /// Times of a record, which are read beside each other.
     ordered_json write(const std::array<scaling::Time, 2>& window) const {
         if (style_ == QuantityStyle::si_number) return {window[0].value(), window[1].value()};

@@ -109,6 +109,8 @@ TEST_CASE("a scene written to text is read back bit for bit") {
                                      "scale": {"law": "froude", "length": "1/25", "friction": 0.9, "gravity": 2, "density": 3}})"),
         make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1"},
                                      "scale": {"law": "centrifuge", "length": "1/25"}})"),
+        make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "x"}, "skip": 4,
+                                     "columns": {"time": 2, "x": "Acc NS, corrected"}})"),
         make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1"},
                                      "scale": {"law": "restoring_force", "length": 0.25, "set": {"F_R": "1/500", "rho": 2}}})"),
         make_scene_text(kColumn, R"(, "shape": {"kind": "box", "level_set": "grid", "nodes_per_face": 21, "voxel": "0.65 mm"})"),
@@ -123,6 +125,26 @@ TEST_CASE("a scene written to text is read back bit for bit") {
         CAPTURE(written);
         CHECK(parse_scene(written, "/elsewhere/b.json") == scene);
         CHECK(write_scene(parse_scene(written)) == written);
+    }
+}
+
+TEST_CASE("columns of a record are an object or a text, with the time or without") {
+    const auto columns = [](const std::string& value) {
+        const std::string motion = R"(, "base_motion": {"record": "a.txt", "components": {"x": "x"}, "columns": )" + value + "}";
+        return *std::get<RecordMotion>(parse_scene(make_scene_text(kColumn, motion), "/scenes/a.json").base_motion.source).columns;
+    };
+    const records::ColumnChoices chosen{{"time", "2"}, {"x", "3"}};
+    CHECK(columns(R"({"time": 2, "x": 3})") == chosen);
+    CHECK(columns(R"({"time": "2", "x": "3"})") == chosen);
+    CHECK(columns(R"("time=2,x=3")") == chosen);
+    for (const std::pair<const char*, const char*>& row :
+         {std::pair<const char*, const char*>{R"({"time": 2})", "no component is among them"},
+          {R"({"x": -1})", "columns/x"},
+          {"[2, 3]", "write {\"time\": 2, \"x\": 3}"},
+          {R"("x")", "'x' is not NAME=COLUMN"}}) {
+        const std::string message = error_of([&] { columns(row.first); });
+        CHECK_MESSAGE(message.find(row.second) != std::string::npos, message);
+        CHECK_MESSAGE(message.find("/base_motion/columns") != std::string::npos, message);
     }
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "lsdem/scene/detail/scene_parts.hpp"
+#include "lsdem/scene/scene_key.hpp"
+#include "records/error.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 
 namespace musim::lsdem::detail {
@@ -131,6 +133,25 @@ void read_value(const JsonReader& json, TilingSettings& tiling) {
 void read_value(const JsonReader& json, records::SampleQuantity& quantity) {
     const std::vector<std::string> names{"acceleration", "velocity", "displacement"};
     quantity = *records::find_sample_quantity(names[to_choice(json, names)]);
+}
+
+void read_value(const JsonReader& json, records::ColumnChoices& columns) {
+    try {
+        if (json.json().is_string()) {
+            columns = records::parse_column_choices(json.text());
+            return;
+        }
+        if (!json.json().is_object()) json.fail(R"(names with their columns are wanted; write {"time": 2, "x": 3})");
+        columns.clear();
+        for (const auto& [name, unused] : json.json().items()) {
+            const JsonReader column = json.at(name);
+            const bool is_title = column.json().is_string();
+            columns.push_back({name, is_title ? column.text() : std::to_string(column.as<std::size_t>())});
+        }
+        records::check_column_choices(columns);
+    } catch (const records::ReadError& error) {
+        json.fail(error.worded(scene_key));
+    }
 }
 
 void read_value(const JsonReader& json, std::array<scaling::Time, 2>& window) {

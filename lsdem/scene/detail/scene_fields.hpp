@@ -114,6 +114,8 @@ inline constexpr auto kFields<RecordMotion> = std::tuple{
     Field{"quantity", &RecordMotion::quantity},
     Field{"dt", &RecordMotion::dt, Range::positive},
     Field{"sensitivity", &RecordMotion::sensitivity, Range::positive},
+    Field{"columns", &RecordMotion::columns},
+    Field{"skip", &RecordMotion::skip},
     Field{"window", &RecordMotion::window},
     Field{"highpass", &RecordMotion::highpass_corner, Range::positive},
 };

@@ -15,7 +15,7 @@ namespace musim::records {
 namespace {
 
 using scaling::si::seconds;
-using tests::check_refused;
+
 using tests::kPulsePeak;
 using tests::kPulseSamples;
 using tests::kPulseStep;
@@ -68,8 +68,9 @@ TEST_CASE("times and values side by side, several a line, are one component") {
     check_laid_out(read_laid_out(side_by_side("", 4, " ", triple)), {kPulsePeak, 0.5 * kPulsePeak});
 
     // a slip in one time is damage, not another layout
-    check_refused(tests::replaced(side_by_side("", 4, ", ", pair_of), "0.1000,", "0.1030,"), "time is 0.103 s (even sampling gives 0.1 s)");
-    check_refused(side_by_side("", 3, ", ", pair_of) + "2.0000\n", "values (the rows above have 6)");
+    tests::check_refused(tests::replaced(side_by_side("", 4, ", ", pair_of), "0.1000,", "0.1030,"),
+                         "time is 0.103 s (even sampling gives 0.1 s)");
+    tests::check_refused(side_by_side("", 3, ", ", pair_of) + "2.0000\n", "values (the rows above have 6)");
 }
 
 TEST_CASE("values side by side without times are one series or several components by what they hold") {
@@ -101,8 +102,8 @@ TEST_CASE("values side by side without times are one series or several component
         const auto random = [&](std::size_t c) { return (7919 * (4 * i + c) * (4 * i + c + 3)) % 1009; };
         return fmt::format("{} {} {} {}", random(0), random(1), random(2), random(3));
     });
-    check_refused(noise, "4 values a line without titles or times", options);
-    check_refused(side_by_side("", 2, " ", value), "2 values a line without titles or times", options);
+    tests::check_refused(noise, "4 values a line without titles or times", options);
+    tests::check_refused(side_by_side("", 2, " ", value), "2 values a line without titles or times", options);
     check_laid_out(read_laid_out(side_by_side("", 2, " ", value), {.dt = kPulseStep * seconds, .columns = parse_column_choices("x=1-2")}),
                    {kPulsePeak});
 }
@@ -126,12 +127,13 @@ TEST_CASE("columns and lines can be chosen") {
     const auto untimed = read_laid_out(content, {.dt = kPulseStep * seconds, .columns = parse_column_choices("x=3"), .skipped_lines = 4});
     check_laid_out(untimed, {kPulsePeak});
 
-    check_refused(content, "time step is unknown", {.columns = parse_column_choices("x=3"), .skipped_lines = 4});
-    check_refused(content, "a: no column '9' (the table has 4: Sample, Time (s)",
-                  {.columns = parse_column_choices("x=9"), .skipped_lines = 3});
-    check_refused(content, "404 lines are to be skipped (the file has 404); correct the number of lines to skip", {.skipped_lines = 404});
-    check_refused("000001D " + std::string(64, 'x'), "binary data have none", {.skipped_lines = 4});
-    check_refused("# musim ground motion 1\n# unit: g\n", "drop the columns", {.columns = parse_column_choices("x=2")});
+    tests::check_refused(content, "time step is unknown", {.columns = parse_column_choices("x=3"), .skipped_lines = 4});
+    tests::check_refused(content, "a: no column '9' (the table has 4: Sample, Time (s)",
+                         {.columns = parse_column_choices("x=9"), .skipped_lines = 3});
+    tests::check_refused(content, "404 lines are to be skipped (the file has 404); correct the number of lines to skip",
+                         {.skipped_lines = 404});
+    tests::check_refused("000001D " + std::string(64, 'x'), "binary data have none", {.skipped_lines = 4});
+    tests::check_refused("# musim ground motion 1\n# unit: g\n", "drop the columns", {.columns = parse_column_choices("x=2")});
     for (const std::pair<const char*, const char*>& row : {std::pair<const char*, const char*>{"time", "'time' is not NAME=COLUMN"},
                                                            {"x=", "'x=' is not"},
                                                            {"time=1", "no component"},
@@ -157,7 +159,7 @@ TEST_CASE("decimal commas are read where other signs part the cells and no numbe
     const std::string quoted =
         tests::lines("", [](std::size_t i) { return '"' + with_comma(pulse_time(i)) + "\",\"" + with_comma(pulse(i)) + '"'; });
     check_laid_out(read_laid_out(quoted), {kPulsePeak});
-    check_refused(tests::table("Time (s),Acc (mm/s2)\n", {1.0}) + "2.000,\"1,017.8\"\n", "sample 401 is '1,017.8'");
+    tests::check_refused(tests::table("Time (s),Acc (mm/s2)\n", {1.0}) + "2.000,\"1,017.8\"\n", "sample 401 is '1,017.8'");
 }
 
 TEST_CASE("UTF-16 is read by its byte-order mark") {
@@ -273,20 +275,20 @@ TEST_CASE("exports of programs are read with their titles, units and times") {
 
 TEST_CASE("a text file that may be two records, or lacks values, is refused with its line") {
     const std::string good = tests::table("Time (s),Acc (g)\n", {1.0});
-    check_refused(good + good, "a:402: sample 401 is 'Time (s)'");
-    check_refused(good + good.substr(good.find('\n') + 1), "a:402: time is 0 s (not after 1.995 s, the one before it)");
-    check_refused(tests::replaced(good, "0.100,", "0.100,NaN,"), "values (the rows above have 2)");
-    check_refused(tests::replaced(good, "\n0.100,", "\n0.100,x"), "a:22: sample 21 is 'x");
-    check_refused(good + ",\n2.000,1\n", "a:402: row without a value");
-    check_refused("LabVIEW Measurement\nSome\nText\n1 2\n2 3\n", "a:2: unknown format ('Some' is no row of numbers)");
-    check_refused(tests::lines("Time (s),AccX (g),Time (s),AccY (g)\n",
-                               [](std::size_t i) {
-                                   return fmt::format("{:.3f},{:.6f},{:.3f},{:.6f}", pulse_time(i), pulse(i), pulse_time(i) + 0.1,
-                                                      pulse(i));
-                               }),
-                  "columns 1 and 3 are both times, and differ");
-    check_refused("0.00x 1\n0.01 2\n0.02 3\n", "a:1: sample 1 is '0.00x'");
-    check_refused("0.00 x\n0.01 2\n0.02 3\n", "a:1: sample 1 is 'x'");
+    tests::check_refused(good + good, "a:402: sample 401 is 'Time (s)'");
+    tests::check_refused(good + good.substr(good.find('\n') + 1), "a:402: time is 0 s (not after 1.995 s, the one before it)");
+    tests::check_refused(tests::replaced(good, "0.100,", "0.100,NaN,"), "values (the rows above have 2)");
+    tests::check_refused(tests::replaced(good, "\n0.100,", "\n0.100,x"), "a:22: sample 21 is 'x");
+    tests::check_refused(good + ",\n2.000,1\n", "a:402: row without a value");
+    tests::check_refused("LabVIEW Measurement\nSome\nText\n1 2\n2 3\n", "a:2: unknown format ('Some' is no row of numbers)");
+    tests::check_refused(tests::lines("Time (s),AccX (g),Time (s),AccY (g)\n",
+                                      [](std::size_t i) {
+                                          return fmt::format("{:.3f},{:.6f},{:.3f},{:.6f}", pulse_time(i), pulse(i), pulse_time(i) + 0.1,
+                                                             pulse(i));
+                                      }),
+                         "columns 1 and 3 are both times, and differ");
+    tests::check_refused("0.00x 1\n0.01 2\n0.02 3\n", "a:1: sample 1 is '0.00x'");
+    tests::check_refused("0.00 x\n0.01 2\n0.02 3\n", "a:1: sample 1 is 'x'");
 }
 
 TEST_CASE("the cases that were read wrongly are read rightly") {

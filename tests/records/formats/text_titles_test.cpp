@@ -15,7 +15,7 @@ namespace musim::records {
 namespace {
 
 using scaling::si::seconds;
-using tests::check_refused;
+
 using tests::kPulsePeak;
 using tests::kPulseSamples;
 using tests::kPulseStep;
@@ -130,12 +130,13 @@ TEST_CASE("velocities and displacements are told by their units and words") {
 }
 
 TEST_CASE("a unit that stands in a title and is not understood is asked for") {
-    check_refused(tests::table("Time (s),Acc (furlong/h2)\n", {1.0}), "a:1: column 2 'Acc (furlong/h2)' names the unit 'furlong/h2'");
-    check_refused(tests::table("Time (s),Acceleration (cm/s)\n", {1.0}), "names the unit 'cm/s'");
-    check_refused(tests::table("# Units: furlong\n", {1.0}), "a:1: unit 'furlong' is none that is known of a motion");
-    check_refused(tests::table("# Units: V\n", {1.0}), "a:1: unit 'V' is none");
-    check_refused(tests::table("# a (g)\n# b (cm/s2)\n", {1.0}), "title names two units, g and cm/s^2");
-    check_refused(tests::table("Time (s),NS (g),EW\n", {1.0, 0.5}), "column 3 'EW' names no unit (column 2 'NS (g)' is in g)");
+    tests::check_refused(tests::table("Time (s),Acc (furlong/h2)\n", {1.0}),
+                         "a:1: column 2 'Acc (furlong/h2)' names the unit 'furlong/h2'");
+    tests::check_refused(tests::table("Time (s),Acceleration (cm/s)\n", {1.0}), "names the unit 'cm/s'");
+    tests::check_refused(tests::table("# Units: furlong\n", {1.0}), "a:1: unit 'furlong' is none that is known of a motion");
+    tests::check_refused(tests::table("# Units: V\n", {1.0}), "a:1: unit 'V' is none");
+    tests::check_refused(tests::table("# a (g)\n# b (cm/s2)\n", {1.0}), "title names two units, g and cm/s^2");
+    tests::check_refused(tests::table("Time (s),NS (g),EW\n", {1.0, 0.5}), "column 3 'EW' names no unit (column 2 'NS (g)' is in g)");
 
     check_titled(read_titled(tests::table("Time (s),Acc (furlong/h2)\n", {1.0}), {.unit = "g"}), {kPulsePeak * tests::kPulseGravity});
     check_titled(read_titled(tests::table("Time (s),NS (g),EW\n", {1.0, 0.5}), {.unit = "g"}),
@@ -144,12 +145,12 @@ TEST_CASE("a unit that stands in a title and is not understood is asked for") {
 
 TEST_CASE("voltages and counts are refused by name, other columns beside motions are left out and named") {
     for (const char* const unit : {"V", "mV", "volts"}) {
-        check_refused(tests::table(fmt::format("Time (s),Acc ({})\n", unit), {1.0}), "holds a voltage (no motion)");
-        check_refused(tests::table(fmt::format("Time (s),Acc ({})\n", unit), {1.0}), "holds a voltage (no motion)", {.unit = "g"});
+        tests::check_refused(tests::table(fmt::format("Time (s),Acc ({})\n", unit), {1.0}), "holds a voltage (no motion)");
+        tests::check_refused(tests::table(fmt::format("Time (s),Acc ({})\n", unit), {1.0}), "holds a voltage (no motion)", {.unit = "g"});
     }
-    check_refused(tests::table("time,ch1_mV\n", {1.0}), "column 2 'ch1_mV' holds a voltage");
-    check_refused(tests::table("Time (s),Acc (counts)\n", {1.0}), "holds counts");
-    check_refused(tests::table("Time (s),Temp (°C)\n", {1.0}), "holds a temperature");
+    tests::check_refused(tests::table("time,ch1_mV\n", {1.0}), "column 2 'ch1_mV' holds a voltage");
+    tests::check_refused(tests::table("Time (s),Acc (counts)\n", {1.0}), "holds counts");
+    tests::check_refused(tests::table("Time (s),Temp (°C)\n", {1.0}), "holds a temperature");
 
     const GroundMotion motion =
         read_titled(tests::table("Time (s),Acc X (m/s2),Temp (°C),LVDT (mV),gyro_x_dps,Battery\n", {1.0, 0.1, 0.2, 0.3, 0.4}));
@@ -170,8 +171,8 @@ TEST_CASE("accelerations stand alone beside velocities and displacements, or wha
     CHECK(history_says(read_titled(content), "column 3 'Velocity [cm/sec]' is left out (velocity)"));
 
     check_titled(read_titled(tests::table("t a v d\n", {1.0, 20.0, 3.0}, ' ')), {kPulsePeak});
-    check_refused(tests::table("t / s,v / (cm/s),u / cm\n", {1.0, 2.0}), "columns hold velocities and displacements");
-    check_refused(tests::table("Time (s),Acc (g)\n", {1.0}), "title names the unit g (asked for: cm/s)", {.unit = "cm/s"});
+    tests::check_refused(tests::table("t / s,v / (cm/s),u / cm\n", {1.0, 2.0}), "columns hold velocities and displacements");
+    tests::check_refused(tests::table("Time (s),Acc (g)\n", {1.0}), "title names the unit g (asked for: cm/s)", {.unit = "cm/s"});
     const GroundMotion overruled = read_titled(tests::table("Time (s),Acc (g)\n", {1.0}), {.unit = "cm/s2"});
     check_titled(overruled, {0.01 * kPulsePeak});
     CHECK(history_says(overruled, "is read in cm/s^2 as asked for (its title names g)"));
@@ -233,7 +234,7 @@ TEST_CASE("a title gives the unit of times") {
         });
         check_titled(read_titled(content), {kPulsePeak});
         check_titled(read_titled(content, {.dt = kPulseStep * seconds}), {kPulsePeak});
-        check_refused(content, "file states its time step 0.005 s (asked for: 0.01 s)", {.dt = 0.01 * seconds});
+        tests::check_refused(content, "file states its time step 0.005 s (asked for: 0.01 s)", {.dt = 0.01 * seconds});
     }
     // below it, too, and in the last column
     check_titled(
@@ -254,12 +255,12 @@ TEST_CASE("a step that records do not have needs a unit of time or the step") {
     };
     for (const double step : {5.0, 5000.0, 5e-6, 0.2}) {
         CAPTURE(step);
-        check_refused(with_step("Time,Acc\n", step), "a row (no unit of time is named");
+        tests::check_refused(with_step("Time,Acc\n", step), "a row (no unit of time is named");
     }
     check_titled(read_titled(with_step("Time,Acc\n", 5.0), {.dt = kPulseStep * seconds}), {kPulsePeak});
     check_titled(read_titled(with_step("", 5000.0), {.dt = kPulseStep * seconds}), {kPulsePeak});
-    check_refused(with_step("Time,Acc\n", 5.0), "in no unit of time that is 0.004 s", {.dt = 0.004 * seconds});
-    check_refused(with_step("Time,Acc\n", kPulseStep), "file states its time step 0.005 s", {.dt = 0.004 * seconds});
+    tests::check_refused(with_step("Time,Acc\n", 5.0), "in no unit of time that is 0.004 s", {.dt = 0.004 * seconds});
+    tests::check_refused(with_step("Time,Acc\n", kPulseStep), "file states its time step 0.005 s", {.dt = 0.004 * seconds});
     CHECK(read_titled(with_step("Time,Acc\n", 0.1)).components.front().series.dt().value() == 0.1);
     CHECK(read_titled(with_step("Time (s),Acc\n", 0.2)).components.front().series.dt().value() == 0.2);
 }
@@ -271,7 +272,7 @@ TEST_CASE("whole numbers that rise by one are an index unless a title says that 
             const std::string content = tests::lines(header, [=](std::size_t i) {
                 return fmt::format("{},{:.8f}", i + static_cast<std::size_t>(first), tests::pulse(i) / tests::kPulseGravity);
             });
-            check_refused(content, "counts rows, and is no time");
+            tests::check_refused(content, "counts rows, and is no time");
             check_titled(read_titled(content, {.dt = kPulseStep * seconds}), {kPulsePeak});
         }
     }
@@ -290,9 +291,10 @@ TEST_CASE("text above the numbers states the time step") {
         CAPTURE(header);
         const std::string content = tests::lines(header, [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); });
         check_titled(read_titled(content), {kPulsePeak});
-        check_refused(content, "file states its time step 0.005 s", {.dt = 0.01 * seconds});
+        tests::check_refused(content, "file states its time step 0.005 s", {.dt = 0.01 * seconds});
     }
-    check_refused(tests::lines("# dt = 5\n", [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); }), "time step is unknown");
+    tests::check_refused(tests::lines("# dt = 5\n", [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); }),
+                         "time step is unknown");
 }
 
 }  // namespace
