@@ -62,6 +62,8 @@ std::optional<PointedRow> find_pointed_row(std::string_view line) {
 struct ColumnLayout {
     std::size_t first = 0;  ///< line
     std::size_t end = 0;    ///< line behind the last that is not empty
+    std::size_t rows = 0;
+    std::size_t misfits = 0;  ///< rows whose numbers do not stand in the columns of the first
     PointedRow row;
     std::optional<FixedColumns> stated = {};  ///< Fortran format of the header
     bool touches = false;                     ///< numbers of some row stand without a blank between them
@@ -115,7 +117,11 @@ std::optional<ColumnLayout> find_layout(const TextFile& file) {
         if (trim(file.line(index)).empty()) continue;
         layout.end = index + 1;
         const std::optional<PointedRow> row = find_pointed_row(file.line(index));
-        if (!row || !row->continues(layout.row)) continue;
+        ++layout.rows;
+        if (!row || !row->continues(layout.row)) {
+            ++layout.misfits;
+            continue;
+        }
         layout.touches = layout.touches || row->touches;
         first_column.add(file.line(index).substr(0, row->first_point + 1 + row->decimals));
     }
@@ -263,6 +269,9 @@ bool looks_like_shake(const TextFile& file) {
     const std::optional<ColumnLayout> layout = find_layout(file);
     if (!layout) return false;
     const PointedRow& row = layout->row;
+    // blanks part numbers of any width; damage is rare
+    constexpr std::size_t kRowsOfDamage = 10;
+    if (!layout->touches && kRowsOfDamage * layout->misfits > layout->rows) return false;
     if (layout->touches || layout->stated || (row.count == 8 && row.width == 9 && row.decimals == 6)) return true;
     // two or three numbers, and a whole one behind them, may be any table
     constexpr std::size_t kFewestInRow = 4;

@@ -53,15 +53,20 @@ EvenTimes find_usual_times(std::span<const double> times) {
     return {median(std::move(values)), step};
 }
 
-/// Step of times that are even but for rounding: the short decimal or whole number of samples a second that explains all of them, else the
-/// mean.
+/// Step of times that are even but for rounding: where that is seen, a whole number of samples a second that explains all of them, else the
+/// short decimal that the mean step means.
 double find_rounded_step(std::span<const double> times, const EvenTimes& mean) {
-    const double decimal = to_short_decimal(mean.step);
-    if (decimal != mean.step || !(mean.step < 1.0)) return decimal;
-    const EvenTimes whole_rate{times.front(), 1.0 / std::round(1.0 / mean.step)};
-    for (std::size_t row = 0; row < times.size(); ++row)
-        if (std::abs(times[row] - whole_rate.time(row)) > mean.rounding) return mean.step;
-    return whole_rate.step;
+    constexpr double kSeen = 1e-3;  // of a step; rounding below it does not hide the step
+    const auto miss_of = [&](const EvenTimes& even) {
+        double miss = 0.0;
+        for (std::size_t row = 0; row < times.size(); ++row) miss = std::max(miss, std::abs(times[row] - even.time(row)));
+        return miss;
+    };
+    if (mean.step < 1.0 && miss_of(mean) > kSeen * mean.step) {
+        const EvenTimes whole_rate{times.front(), 1.0 / std::round(1.0 / mean.step)};
+        if (miss_of(whole_rate) <= mean.rounding) return whole_rate.step;
+    }
+    return to_short_decimal(mean.step);
 }
 
 }  // namespace
