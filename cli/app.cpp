@@ -70,7 +70,8 @@ void add_commands(CLI::App& app, Action& action, std::string_view only) {
         "  5         a requested check did not hold\n"
         "  6         a model of its own material differs by more than --accept\n"
         "  130, 143  stopped by SIGINT (Ctrl-C) or SIGTERM\n"
-        "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. `musim COMMAND --help` has examples.");
+        "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. Whole numbers are decimal: 010 is ten.\n"
+        "`musim COMMAND --help` has examples.");
     const std::vector<Group> groups = list_groups();
     const auto is_wanted = [only](const Command& command) { return command.name == only; };
     const bool all = std::none_of(groups.begin(), groups.end(),

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <CLI/App.hpp>
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -16,6 +16,7 @@
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
+#include "cli/whole_option.hpp"
 #include "records/error.hpp"
 #include "records/measures/response_spectrum.hpp"
 #include "scaling/laws/law_similitude.hpp"
@@ -62,6 +63,9 @@ scaling::SolvedLaw solve_noting(const std::string& law, const std::vector<scalin
 
 /// The library takes any; a spectrum of more than twice the critical damping is a slip.
 constexpr double kMostDamping = 2.0;
+
+/// More threads are a slip of the keyboard.
+constexpr std::uint64_t kMostThreads = 100'000;
 
 }  // namespace
 
@@ -210,6 +214,17 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
         ->default_str("text");
 }
 
+CLI::Validator check_number(const std::function<bool(double)>& accepts, const std::string& what) {
+    return {[accepts, what](const std::string& text) -> std::string {
+                try {
+                    return accepts(scaling::parse_number(text)) ? "" : text + what;
+                } catch (const scaling::ParseError& error) {
+                    return error.what();
+                }
+            },
+            ""};
+}
+
 CLI::Validator above_zero() {
     return check_number([](double number) { return number > 0.0; }, " is not above zero");
 }
@@ -225,28 +240,16 @@ CLI::Validator between(double low, double high) {
 
 CLI::Validator damping_ratio() {
     return {[](const std::string& text) -> std::string {
-                Number damping;
-                lexical_cast(text, damping);
+                double damping = 0.0;
                 try {
+                    damping = scaling::parse_number(text);
                     records::require_damping(damping);
-                } catch (const records::ProcessingError& error) {
+                } catch (const std::runtime_error& error) {
                     return error.what();
                 }
                 if (damping <= kMostDamping) return "";
                 return fmt::format("{} is {:g} % of critical (at most {:g} %); write 0.05 for 5 %", text, 100.0 * damping,
                                    100.0 * kMostDamping);
-            },
-            ""};
-}
-
-CLI::Validator whole_between(long long low, long long high) {
-    return {[low, high](const std::string& text) {
-                long long number = 0;
-                const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-                const bool is_whole = error == std::errc() && end == text.data() + text.size();
-                if (is_whole && number >= low && number <= high) return std::string();
-                return fmt::format("{} is {}; give a whole number from {} to {}", scaling::shorten(text),
-                                   is_whole ? "out of range" : "no whole number", low, high);
             },
             ""};
 }
@@ -275,9 +278,8 @@ void require_ascending(const std::string& option, const std::vector<Number>& end
 
 void add_threads_option(CLI::App& command, int& threads) {
     threads = scaling::count_usable_cores();
-    command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")
-        ->check(not_negative())
-        ->transform([all = std::to_string(threads)](const std::string& text) { return text == "0" ? all : text; });
+    const auto take = [&threads, all = threads](std::uint64_t number) { threads = number == 0 ? all : static_cast<int>(number); };
+    add_whole_option(command, "--threads", take, "Threads; results are the same for any number (default: all cores)", {0, kMostThreads});
 }
 
 }  // namespace musim::cli

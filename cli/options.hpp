@@ -4,6 +4,7 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -117,15 +118,8 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
 /// Adds --checkpoint-interval [s of wall time].
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds);
 
-/// A check of a number on the command line: refused, with a line that ends with `what`, unless `accepts(number)`.
-template <class Accept>
-CLI::Validator check_number(const Accept& accepts, const std::string& what) {
-    return {[accepts, what](const std::string& text) {
-                Number number;
-                return lexical_cast(text, number) && accepts(number.value) ? std::string() : text + what;
-            },
-            ""};
-}
+/// A check of a number on the command line: refused, with a line that ends with `what`, unless `accepts(number)`; likewise what is none.
+CLI::Validator check_number(const std::function<bool(double)>& accepts, const std::string& what);
 
 /// Such checks: above zero, not below it, from `low` to `high`.
 CLI::Validator above_zero();
@@ -134,9 +128,6 @@ CLI::Validator between(double low, double high);
 
 /// A check of a --damping: one of an oscillator, and not above 2, where percent were meant.
 CLI::Validator damping_ratio();
-
-/// A check of a whole number from `low` to `high`.
-CLI::Validator whole_between(long long low, long long high);
 
 /// A check of a word that is one of `names`; another gets the nearest.
 CLI::Validator one_of(const std::vector<std::string>& names);

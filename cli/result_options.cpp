@@ -10,6 +10,7 @@
 
 #include "cli/output.hpp"
 #include "cli/version.hpp"
+#include "cli/whole_option.hpp"
 #include "scaling/error.hpp"
 #include "scaling/number.hpp"
 
@@ -24,9 +25,10 @@ std::string name_command(const CLI::App& command) {
     return above == nullptr || above->get_parent() == nullptr ? command.get_name() : name_command(*above) + " " + command.get_name();
 }
 
-/// The value of an option as text, the same for 1/25 and 0.04, for mu=1/2 and mu=0.5.
+/// The value of an option as text, the same for 1/25 and 0.04, for mu=1/2 and mu=0.5, for 10 and 010.
 std::string name_value(const CLI::Option& option, const std::string& text) {
     const std::string type = option.get_type_name();
+    if (type == "N") return std::to_string(parse_whole(text, {}));
     if (type.find("NUMBER") == std::string::npos && type != "LIST") return text;
     const std::size_t begin = text.find('=') + 1;  // 0 without one
     try {

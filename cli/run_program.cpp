@@ -36,6 +36,7 @@ int carry_out(int argc, char** argv) {
     add_commands(app, action, argv[1]);
 
     try {
+        refuse_empty_values(argc, argv);
         app.parse(argc, argv);
         const int exit_code = action();
         if (exit_code == kDone) print_notes();

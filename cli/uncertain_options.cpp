@@ -5,9 +5,9 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <cmath>
 
 #include "cli/options.hpp"
+#include "cli/whole_option.hpp"
 #include "scaling/number.hpp"
 
 namespace musim::cli {
@@ -25,17 +25,6 @@ CLI::Option* add_read_option(CLI::App& command, const std::string& name, const s
         return true;
     };
     return command.add_option(name, CLI::callback_t(take), help)->type_name(type);
-}
-
-/// A whole number of samples, also as 1e5.
-std::size_t read_samples(const std::string& text) {
-    const double number = scaling::parse_number(text);
-    if (number != std::floor(number) ||
-        !(number >= static_cast<double>(scaling::kFewestSamples) && number <= static_cast<double>(scaling::kMostSamples))) {
-        throw scaling::ParseError(fmt::format("\"{}\": is no number of samples; write a whole one from {} to {}", text,
-                                              scaling::kFewestSamples, scaling::kMostSamples));
-    }
-    return static_cast<std::size_t>(number);
 }
 
 void require_above_zero(double value, const std::string& text) {
@@ -111,15 +100,14 @@ void add_motion_options(CLI::App& command, scaling::UncertainMotion& motion) {
 void MonteCarloOptions::add_to(CLI::App& command) {
     const auto take_samples = [this](const std::string& text) {
         wanted = true;
-        if (!text.empty()) settings.samples = read_samples(text);
+        if (!text.empty()) settings.samples = parse_whole(text, {scaling::kFewestSamples, scaling::kMostSamples});
     };
     CLI::Option* samples =
         add_read_option(command, "--monte-carlo", fmt::format("Also draw N samples of the uncertain inputs (default {})", settings.samples),
                         "N", take_samples)
             ->expected(0, 1);
-    command.add_option("--seed", settings.seed, fmt::format("Seed of the samples (default {})", settings.seed))
+    add_whole_option(command, "--seed", settings.seed, fmt::format("Seed of the samples (default {})", settings.seed))
         ->type_name("S")
-        ->check(not_negative())
         ->needs(samples);
     command
         .add_option("--distribution", distribution,

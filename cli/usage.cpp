@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <string_view>
 #include <vector>
 
 #include "scaling/nearest_name.hpp"
 
 namespace musim::cli {
 namespace {
+
+/// What is said of a value of which nothing is given.
+constexpr const char* kEmpty = "is empty; give a value, or leave it out";
 
 /// A command as it was typed, down to the last subcommand.
 struct TypedCommand {
@@ -67,22 +71,30 @@ std::string describe_extra_word(const TypedCommand& typed, const std::vector<std
 const CLI::Option* find_unread_option(const CLI::App& app) {
     const CLI::Option* last = nullptr;
     for (const CLI::Option* option : app.get_options()) {
-        if (option->count() == 0) continue;
-        last = option;
-        if (!option->get_callback_run()) break;
+        if (option->count() > 0 && option->get_callback_run()) last = option;
     }
     return last;
 }
 
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t") == std::string_view::npos; }
+
 }  // namespace
 
 void refuse_empty_values(CLI::App& app) {
-    const CLI::Validator not_empty{
-        [](std::string& text) { return text.empty() ? std::string("is empty; give a value, or leave it out") : ""; }, ""};
+    const CLI::Validator not_empty{[](std::string& text) { return is_blank(text) ? std::string(kEmpty) : ""; }, ""};
     for (CLI::Option* option : app.get_options()) {
         if (option->get_expected_min() > 0) option->check(not_empty);
     }
     for (CLI::App* each : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_values(*each);
+}
+
+void refuse_empty_values(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word.starts_with("--") && word.find('=') == word.size() - 1) {
+            throw CLI::ValidationError(std::string(word.substr(0, word.size() - 1)), kEmpty);
+        }
+    }
 }
 
 void group_commands(CLI::App& app, const std::string& title, const std::vector<std::string>& names) {
@@ -98,12 +110,7 @@ std::string describe_usage_error(const CLI::App& app, const CLI::ParseError& err
         what = describe_extra_word(typed, words);
     } else if (const CLI::Option* option = find_unread_option(*typed.app);
                option != nullptr && dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-        const std::string name = option->get_name();
-        if (what.starts_with("Could not convert")) {
-            what = fmt::format("{}: \"{}\" is no whole number in its range; correct it", name, option->results().front());
-        } else if (!what.starts_with("--")) {
-            what = name + ": " + what;
-        }
+        if (!what.starts_with("--")) what = option->get_name() + ": " + what;
     }
     return fmt::format("{}; see {} --help", what, typed.name);
 }

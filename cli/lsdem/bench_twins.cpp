@@ -16,6 +16,7 @@
 #include "cli/report.hpp"
 #include "cli/result_options.hpp"
 #include "cli/version.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_runs.hpp"
@@ -156,14 +157,11 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
     CLI::App* command = bench.add_subcommand("twins", "How exact models, or copies moved a little, part from their prototype");
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
     options->add_out(*command, "Directory for twins.csv, spread.csv, summary.json and what each run leaves");
-    command->add_option("--models", options->models, "Exact models of each scene; with --perturb also sets of directions")
-        ->type_name("N")
-        ->check(whole_between(1, 100000))
+    add_whole_option(*command, "--models", options->models, "Exact models of each scene; with --perturb also sets of directions",
+                     {1, 100000})
         ->capture_default_str();
-    command
-        ->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb also of the first set of directions")
-        ->type_name("N")
-        ->check(not_negative())
+    add_whole_option(*command, "--seed", options->seed,
+                     "Of the lengths, 4^u with u in (-2, 2); with --perturb also of the first set of directions")
         ->capture_default_str();
     add_positive_option(*command, "--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'");
     command

@@ -17,6 +17,7 @@
 #include "cli/report.hpp"
 #include "cli/result_options.hpp"
 #include "cli/version.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/text_table.hpp"
@@ -231,18 +232,12 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
     options->add_out(*command, "Directory for verdicts.json and what each run leaves");
     const auto add_count = [&](const char* name, std::size_t& value, const char* text, std::size_t least) {
-        command->add_option(name, value, text)
-            ->type_name("N")
-            ->check(whole_between(static_cast<long long>(least), 100000))
-            ->capture_default_str();
+        add_whole_option(*command, name, value, text, {least, 100000})->capture_default_str();
     };
     add_count("--sets", plan.sets, "Sets of twins of each scene", 1);
     add_count("--twins", plan.twins, "Twins of a set", 2);
     add_count("--models", plan.models, "Exact models judged by each set", 0);
-    command->add_option("--seed", plan.seed, "Of the first set; the next ones follow")
-        ->type_name("N")
-        ->check(not_negative())
-        ->capture_default_str();
+    add_whole_option(*command, "--seed", plan.seed, "Of the first set; the next ones follow")->capture_default_str();
     command->add_option("--errors", options->errors, "Errors put into models on purpose, e.g. friction,gravity, or all (default: none)")
         ->type_name("LIST")
         ->delimiter(',')

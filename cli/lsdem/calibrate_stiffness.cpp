@@ -12,6 +12,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/calibration/calibration_files.hpp"
 #include "lsdem/calibration/wave_speed.hpp"
 #include "lsdem/scene/material_presets.hpp"
@@ -160,7 +161,7 @@ void add_stiffness_command(CLI::App& calibrate, Action& action) {
     auto options = std::make_shared<StiffnessOptions>();
     CLI::App* command = calibrate.add_subcommand("stiffness", "k_n and k_s from the wave speed in a column");
     options->test.add_to(*command, "wave_normal and wave_shear, as csv and svg");
-    command->add_option("--layers", options->layers, "Blocks in the column")->capture_default_str()->check(whole_between(20, 10000));
+    add_whole_option(*command, "--layers", options->layers, "Blocks in the column", {20, 10000})->capture_default_str();
     command->add_option("--criterion", options->criterion, "When a layer counts as reached")
         ->capture_default_str()
         ->check(one_of({"half_velocity", "displacement"}));

@@ -20,6 +20,7 @@
 #include "cli/report.hpp"
 #include "cli/result_options.hpp"
 #include "cli/version.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
@@ -210,19 +211,15 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     CLI::Option* compare =
         command->add_option("--compare", options->compare, "Compare ensembles with the first of them, of any scales; run nothing");
     compare->type_name("DIR DIR...")->expected(2, 1000)->excludes(scene_file)->excludes(out);
-    command->add_option("--members", options->members, "How many seeds, from the scene's on")
-        ->type_name("N")
-        ->check(whole_between(1, 100000))
-        ->capture_default_str();
+    add_whole_option(*command, "--members", options->members, "How many seeds, from the scene's on", {1, 100000})->capture_default_str();
     command
         ->add_option("--specimens", options->specimens,
                      "Folder of specimens as musim specimen makes them: members use what is there, what is missing is prepared there")
         ->type_name("DIR")
         ->excludes(compare);
     CLI::Option* list = command->add_flag("--list", options->list, "Name the members and how far they are; run nothing");
-    command->add_option("--only", options->only, "Run this member alone (1 to N), without a summary: a job of a cluster")
+    add_whole_option(*command, "--only", options->only, "Run this member alone (1 to N), without a summary: a job of a cluster", {1})
         ->type_name("INDEX")
-        ->check(above_zero())
         ->excludes(list);
     command->add_option("--axis", options->axis, "Axis of the main motion (default: along which the base moves most)")
         ->check(one_of({"x", "y", "z"}));

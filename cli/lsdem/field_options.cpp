@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options.hpp"
+#include "cli/whole_option.hpp"
 
 namespace musim::cli {
 
@@ -12,7 +13,7 @@ CLI::Option* FieldOptions::add_to(CLI::App& command) {
     command.add_option("--component", component, "Velocity that gives the colour")
         ->capture_default_str()
         ->check(one_of({"right", "up", "speed"}));
-    command.add_option("--pixels", pixels, "Columns of the image grid")->capture_default_str()->check(whole_between(8, 4000));
+    add_whole_option(command, "--pixels", pixels, "Columns of the image grid", {8, 4000})->capture_default_str();
     return command.add_flag("--csv", csv,
                             "Also the velocities that each picture shows, a line per point of the image grid: some 14 MB for a picture of "
                             "240 columns");

@@ -10,6 +10,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/record_source.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/new_scene.hpp"
 #include "records/atomic_file.hpp"
@@ -94,11 +95,8 @@ void add_new_command(CLI::App& app, Action& action) {
                      "at the model's length); stiffnesses are fitted to them")
         ->type_name("LENGTH")
         ->expected(3);
-    command
-        ->add_option("--layers", options->wanted.layers,
-                     "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most)")
-        ->type_name("N")
-        ->check(whole_between(1, 1000));
+    add_whole_option(*command, "--layers", options->wanted.layers,
+                     "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most)", {1, 1000});
     options->record.add_to(*command,
                            "Shake with the strong motion of this record of a prototype, scaled by the mu law, instead of a made one");
     command->add_flag("--force", options->force, "Replace the file of --out");

@@ -18,6 +18,7 @@
 #include "cli/report.hpp"
 #include "cli/result_options.hpp"
 #include "cli/version.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/scene_error.hpp"
@@ -332,11 +333,8 @@ void add_model_options(CLI::App& command, PairOptions& options) {
             "Own material of each model: a preset, a material file, or a scene whose it is (default: the one measured at that scale)")
         ->type_name("PRESET|FILE")
         ->excludes(models);
-    command
-        .add_option("--specimens", options.specimens,
-                    "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
-        ->type_name("N")
-        ->check(whole_between(0, 1000));
+    add_whole_option(command, "--specimens", options.specimens,
+                     "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)", {0, 1000});
     add_number_option(command, "--accept", options.accept,
                       "Accept own models, and scene files, whose peak velocity and residual displacement of the top and losses differ by "
                       "no more, e.g. 5%; else exit code 6");
@@ -347,10 +345,9 @@ void add_model_options(CLI::App& command, PairOptions& options) {
 
 /// Options of the measures that models are judged by.
 void add_judging_options(CLI::App& command, PairOptions& options) {
-    command.add_option("--twins", options.twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
-        ->type_name("N")
-        ->check(whole_between(0, 1000));
-    command.add_option("--seed", options.seed, "Of the twins")->type_name("N")->check(not_negative())->capture_default_str();
+    add_whole_option(command, "--twins", options.twins,
+                     "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)", {0, 1000});
+    add_whole_option(command, "--seed", options.seed, "Of the twins")->capture_default_str();
     command
         .add_option("--specimen", options.specimen, "one: exact models start from the prototype's specimen; each: every scale lays its own")
         ->check(one_of({"one", "each"}))

@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/results/run_warnings.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_specimens.hpp"
@@ -173,9 +174,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->type_name("layers_mass_scaled|layers|resting|as_drawn")
         ->transform([](const std::string& name) { return name == lsdem::kOldMassScaledName ? lsdem::placing_names().back() : name; })
         ->check(one_of(lsdem::placing_names()));
-    command->add_option("--seeds", options->seeds, "Specimens with as many seeds, from the scene's on")
-        ->type_name("N")
-        ->check(above_zero())
+    add_whole_option(*command, "--seeds", options->seeds, "Specimens with as many seeds, from the scene's on", {1, 100000})
         ->capture_default_str();
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
     add_threads_option(*command, options->threads);

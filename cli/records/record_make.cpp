@@ -12,6 +12,7 @@
 #include "cli/records/record_output.hpp"
 #include "cli/records/record_peaks.hpp"
 #include "cli/usage.hpp"
+#include "cli/whole_option.hpp"
 #include "records/synthesis/ricker.hpp"
 #include "records/synthesis/sine_sweep.hpp"
 #include "records/synthesis/synthetic.hpp"
@@ -149,10 +150,7 @@ void add_stochastic(CLI::App& make, Action& action) {
         ->type_name("NUMBER")
         ->check(above_zero());
     add_number(*command, "--duration", options->duration, "Duration [s]")->check(above_zero());
-    command->add_option("--seed", options->seed, "Another seed, another motion")
-        ->check(not_negative())
-        ->capture_default_str()
-        ->type_name("INTEGER");
+    add_whole_option(*command, "--seed", options->seed, "Another seed, another motion")->capture_default_str();
     finish(*command, action, options, [](const StochasticOptions& asked) {
         records::SyntheticSettings settings{.pga = asked.pga.value * scaling::kStandardGravity,
                                             .pgv = 0.01 * asked.pgv.value * meters_per_second,

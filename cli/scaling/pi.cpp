@@ -18,6 +18,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/scaling/uncertainty_output.hpp"
 #include "cli/uncertain_options.hpp"
+#include "cli/whole_option.hpp"
 #include "scaling/laws/named_groups.hpp"
 #include "scaling/pi/pi_express.hpp"
 #include "scaling/pi/pi_problem.hpp"
@@ -346,13 +347,7 @@ void add_pi_command(CLI::App& app, Action& action) {
         ->delimiter(',')
         ->type_name("NAMES");
     command->add_flag("--all", options->all, "The groups of every choice of repeating quantities");
-    command->add_option("--limit", options->limit, "Largest number of choices that --all lists")
-        ->check([](const std::string& text) -> std::string {
-            const bool is_whole = text.find_first_not_of("0123456789") == std::string::npos;
-            if (is_whole && text.find_first_not_of('0') != std::string::npos) return "";
-            return text + " is no whole number from 1; write one such as 100";
-        })
-        ->capture_default_str();
+    add_whole_option(*command, "--limit", options->limit, "Largest number of choices that --all lists", {1})->capture_default_str();
     command->add_option("--express", options->products, "A group of yours as a product of these; repeat for several")
         ->type_name("PRODUCT")
         ->expected(1)
