@@ -12,6 +12,7 @@
 #include "cli/record_source.hpp"
 #include "cli/whole_option.hpp"
 #include "lsdem/run/use_record.hpp"
+#include "lsdem/scene/measured_material.hpp"
 #include "lsdem/scene/new_scene.hpp"
 #include "records/atomic_file.hpp"
 #include "scaling/dimension.hpp"
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 
 struct NewOptions {
     lsdem::NewScene wanted;
+    std::string material = "wood";
     std::optional<Number> length;
     std::vector<std::string> block;
     RecordMotionOptions record;
@@ -51,14 +53,16 @@ std::optional<lsdem::Triple<scaling::Length>> parse_block(const std::vector<std:
 }
 
 int run_new(const NewOptions& options) {
-    refuse_overwriting({options.record.record}, {options.out});
+    refuse_overwriting({options.record.record, options.material}, {options.out});
     refuse_existing(options);
-    lsdem::Scene scene = lsdem::make_new_scene(options.wanted);
+    lsdem::NewScene wanted = options.wanted;
+    wanted.material = lsdem::find_measured_material(options.material);
+    lsdem::Scene scene = lsdem::make_new_scene(wanted);
     if (!options.record.record.empty()) {
         options.record.apply(scene);
-        lsdem::scale_record(scene, lsdem::find_scale(options.wanted));
+        lsdem::scale_record(scene, lsdem::find_scale(wanted));
     }
-    lsdem::ReadableText text = lsdem::comment_new_scene(options.wanted, scene);
+    lsdem::ReadableText text = lsdem::comment_new_scene(wanted, scene);
     if (!options.out.empty()) text.folder = fs::absolute(options.out).parent_path();
     const std::string json = lsdem::write_readable_scene(scene, text);
     if (options.out.empty()) {
@@ -82,9 +86,11 @@ void add_new_command(CLI::App& app, Action& action) {
         ->type_name("KIND")
         ->check(one_of(lsdem::new_scene_kinds()));
     command->add_option("-o,--out", options->out, "Scene file to write (default: print it)")->type_name("SCENE.json");
-    command->add_option("--material", options->wanted.material, "Of the blocks: a measured one, see `musim calibrate presets`")
+    command
+        ->add_option("--material", options->material,
+                     "Of the blocks: a preset (`musim calibrate presets`), a material file (musim-material/1), or a scene whose it is")
         ->capture_default_str()
-        ->check(one_of(lsdem::material_preset_names()));
+        ->type_name("PRESET|FILE");
     add_positive_option(
         *command, "--length", options->length,
         "Length of the model over that of the prototype, whose blocks are 1.36 x 2.82 x 4.25 m (default: of the material's block, "
@@ -92,7 +98,7 @@ void add_new_command(CLI::App& app, Action& action) {
     command
         ->add_option("--block", options->block,
                      "Edges of your blocks: thin b, wide w, height H, such as \"30 mm\" \"60 mm\" \"90 mm\" (default: the prototype's "
-                     "at the model's length); stiffnesses are fitted to them")
+                     "at the model's length, of a material file its own); stiffnesses are fitted to them")
         ->type_name("LENGTH")
         ->expected(3);
     add_whole_option(*command, "--layers", options->wanted.layers,
@@ -105,6 +111,7 @@ void add_new_command(CLI::App& app, Action& action) {
         "  musim new tower -o tower.json\n"
         "  musim new column --layers 4 --record station.v1 --component y=360 -o column.json\n"
         "  musim new wall --material concrete --length 1/25\n"
+        "  musim new wall --material granite --block \"0.2 m\" \"0.6 m\" \"0.3 m\"\n"
         "  musim new tower --block \"30 mm\" \"60 mm\" \"90 mm\" --record station.v1 -o tower.json\n"
         "The scene is complete: `musim check` says what it means, `musim run` runs it. Change it in any editor; its comments say how.");
     command->callback([&action, options] {

@@ -29,6 +29,31 @@ BlockMaterial make_material(double density, double normal, double shear, double 
             .restitution = restitution};
 }
 
+/// Elasticity and contact of a sound stone.
+struct Stone {
+    const char* name;
+    double density;         ///< [kg/m³]
+    double youngs_modulus;  ///< E [Pa]
+    double poissons_ratio;  ///< ν [-]
+    double friction;        ///< tangent of the basic friction angle [-]
+    std::string_view source;
+};
+
+/// Restitution of stones: that of the papers' concrete. For faces of stone that meet flat none was found [-].
+constexpr double kStoneRestitution = 0.5;
+
+/// Stone as a preset, for the prototype's block:  k_n = E·A/H,  k_s = G·A/H,  G = E/(2(1 + ν)).
+MaterialPreset make_stone(const Stone& stone) {
+    const auto block = reference_block(1.0);
+    const double to_face = (block[0] * block[1] / block[2]).value();  // A/H [m]
+    const double normal = stone.youngs_modulus * to_face, shear = normal / (2.0 * (1.0 + stone.poissons_ratio));
+    return {{stone.name, make_material(stone.density, normal / kMega, shear / kMega, stone.friction, kStoneRestitution), block},
+            {},
+            stone.source,
+            {},
+            scaling::Velocity::from_value(std::sqrt(stone.youngs_modulus / stone.density))};
+}
+
 const std::vector<MaterialPreset>& presets() {
     static const std::vector<MaterialPreset> kPresets = [] {
         const BlockMaterial wave = make_material(2632.0, 510.0, 480.0, 0.18, 0.5);
@@ -36,28 +61,25 @@ const std::vector<MaterialPreset>& presets() {
             "Harmon et al. 2023, Table 3, with ten times the printed stiffness, which the measured bar wave speed and the printed time "
             "step ask for";
         // periods of the cameras over the printed numbers of steps per picture
-        const scaling::Time wood_step = 1.0 / (4800.0 * 20.0) * scaling::si::seconds;
-        const scaling::Time aluminium_step = 1.0 / (4800.0 * 80.0) * scaling::si::seconds;
-        const scaling::Time concrete_step = 1.0 / (2000.0 * 34.0) * scaling::si::seconds;
+        const CameraStep wood_step{1.0 / (4800.0 * 20.0) * scaling::si::seconds, "1/96000 s"};
+        const CameraStep aluminium_step{1.0 / (4800.0 * 80.0) * scaling::si::seconds, "1/384000 s"};
+        const CameraStep concrete_step{1.0 / (2000.0 * 34.0) * scaling::si::seconds, "1/68000 s"};
         // E = 69 GPa of aluminium alloys, with the density of Table 3
         const scaling::Velocity aluminium_bar = scaling::Velocity::from_value(std::sqrt(69e9 / 2632.0));
         const auto small = reference_block(107.0);
         return std::vector<MaterialPreset>{
-            {{"wood", make_material(800.0, 30.0, 26.0, 0.63, 0.3), small}, 1.0 / 107.0, kTable3, wood_step, "1/96000 s", {}},
-            {{"concrete", make_material(2320.0, 1050.0, 1000.0, 0.59, 0.5), reference_block(25.0)},
-             1.0 / 25.0,
-             kTable3,
-             concrete_step,
-             "1/68000 s",
-             {}},
-            {{"aluminium", wave, small}, 1.0 / 107.0, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
-            {{"al_wave", wave, small}, 1.0 / 107.0, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
-            {{"al_printed", make_material(2632.0, 51.0, 48.0, 0.18, 0.5), small},
-             1.0 / 107.0,
-             kTable3,
-             aluminium_step,
-             "1/384000 s",
-             aluminium_bar},
+            {{"wood", make_material(800.0, 30.0, 26.0, 0.63, 0.3), small}, 1.0 / 107.0, kTable3, wood_step, {}},
+            {{"concrete", make_material(2320.0, 1050.0, 1000.0, 0.59, 0.5), reference_block(25.0)}, 1.0 / 25.0, kTable3, concrete_step, {}},
+            {{"aluminium", wave, small}, 1.0 / 107.0, wave_source, aluminium_step, aluminium_bar},
+            {{"al_wave", wave, small}, 1.0 / 107.0, wave_source, aluminium_step, aluminium_bar},
+            {{"al_printed", make_material(2632.0, 51.0, 48.0, 0.18, 0.5), small}, 1.0 / 107.0, kTable3, aluminium_step, aluminium_bar},
+            // tan 33° and tan 34°, in the middle of 31 to 35° and of 31 to 37°; for marble no angle is in that table
+            make_stone({"granite", 2650.0, 58.6e9, 0.26, 0.65,
+                        "density Goodman 1989, elasticity Wyllie 1999, friction Barton and Choubey 1977, restitution assumed"}),
+            make_stone({"limestone", 2700.0, 53.9e9, 0.32, 0.67,
+                        "density Goodman 1989, elasticity Wyllie 1999, friction Barton and Choubey 1977, restitution assumed"}),
+            make_stone({"marble", 2750.0, 55.8e9, 0.25, 0.67,
+                        "density and elasticity Goodman 1989, friction that of limestone, restitution assumed"}),
         };
     }();
     return kPresets;

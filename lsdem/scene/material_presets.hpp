@@ -36,20 +36,28 @@ struct MeasuredMaterial {
     Triple<scaling::Length> reference_block{};  ///< b, w, H that the stiffnesses belong to
 };
 
-/// One of the papers.
-struct MaterialPreset : MeasuredMaterial {
-    double length_scale = 1.0;  ///< of the tower whose block it is: 1/107 or 1/25 [-]
-    std::string_view source;
-    /// Period of the camera that filmed the tests over a whole number, which the papers took as time step: 1/4800 s over 20 for wood and
-    /// over 80 for aluminium, 1/2000 s over 34 for concrete [Harmon23, Table 4]. For the reference block only; wood's is above its critical
-    /// one.
-    scaling::Time camera_step{};
-    std::string_view camera_step_fraction;            ///< the same as text, "1/96000 s"
-    std::optional<scaling::Velocity> bar_wave_speed;  ///< √(E/ρ) where E is known from elsewhere
+/// Time step that the papers took for a material: the period of the camera that filmed its tests over a whole number, 1/4800 s over 20 for
+/// wood and over 80 for aluminium, 1/2000 s over 34 for concrete [Harmon23, Table 4]. For the reference block only; wood's is above its
+/// critical one.
+struct CameraStep {
+    scaling::Time value{};
+    std::string_view fraction;  ///< the same as text, "1/96000 s"
 };
 
-/// The preset called `name`: "wood" and "concrete" as printed, "aluminium" with the stiffnesses that its wave speed asks for (also
-/// "al_wave"), "al_printed" with the printed ones. Throws SceneError with the known names for any other.
+/// Material of the papers, or a stone as textbooks have it.
+struct MaterialPreset : MeasuredMaterial {
+    std::optional<double> length_scale;  ///< of the tower whose block it is: 1/107 or 1/25 [-]; nothing for a stone
+    std::string_view source;
+    std::optional<CameraStep> camera_step;            ///< of a material of the papers
+    std::optional<scaling::Velocity> bar_wave_speed;  ///< √(E/ρ) where E is known from elsewhere
+
+    /// Whether stiffnesses are those of a solid of known elasticity, k_n = E·A/H and k_s = G·A/H in whatever block.
+    bool is_stone() const { return !length_scale; }
+};
+
+/// Preset called `name`: "wood" and "concrete" as printed, "aluminium" with the stiffnesses that its wave speed asks for (also
+/// "al_wave"), "al_printed" with the printed ones; "granite", "limestone" and "marble" for sound stone with dry, flat, sawn faces, see
+/// docs/theory/calibration.md. Throws SceneError with the known names for any other.
 const MaterialPreset& find_material_preset(std::string_view name);
 
 /// The names that find_material_preset knows.

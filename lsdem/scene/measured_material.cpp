@@ -36,7 +36,8 @@ MeasuredMaterial parse_material_file(const detail::Json& root, const std::string
     for (const scaling::Length& edge : measured.reference_block) {
         if (!(edge.value() > 0.0)) object["block"].fail("an edge is not longer than zero; give b, w and H of the block");
     }
-    measured.material = detail::parse_material(object["material"], {measured.reference_block[0] * measured.reference_block[1]});
+    const Triple<scaling::Length>& block = measured.reference_block;
+    measured.material = detail::parse_material(object["material"], {.area = block[0] * block[1], .height = block[2]});
     return measured;
 }
 
@@ -62,8 +63,9 @@ MeasuredMaterial find_material_at(double length) {
     std::vector<std::string> known;
     for (const std::string& name : material_preset_names()) {
         const MaterialPreset& preset = find_material_preset(name);
-        if (std::abs(preset.length_scale / length - 1.0) < kSameScale) return static_cast<const MeasuredMaterial&>(preset);
-        known.push_back(fmt::format("{} at 1:{:.0f}", name, 1.0 / preset.length_scale));
+        if (!preset.length_scale) continue;
+        if (std::abs(*preset.length_scale / length - 1.0) < kSameScale) return static_cast<const MeasuredMaterial&>(preset);
+        known.push_back(fmt::format("{} at 1:{:.0f}", name, 1.0 / *preset.length_scale));
     }
     throw SceneError(
         fmt::format("no preset was measured at a length factor of {:.6g} (there are {}); name a material", length, fmt::join(known, ", ")));

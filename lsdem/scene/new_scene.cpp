@@ -108,10 +108,24 @@ Structure make_structure(const NewScene& wanted, const Triple<Length>& block) {
     throw SceneError(fmt::format("\"{}\" is no structure; {}", wanted.kind, scaling::suggest_name(wanted.kind, new_scene_kinds())));
 }
 
+/// The preset that a material is; null for one of a file.
+const MaterialPreset* find_preset(const MeasuredMaterial& material) {
+    const std::vector<std::string> names = material_preset_names();
+    if (std::find(names.begin(), names.end(), material.name) == names.end()) return nullptr;
+    const MaterialPreset& preset = find_material_preset(material.name);
+    return preset.material == material.material && preset.reference_block == material.reference_block ? &preset : nullptr;
+}
+
+/// Edges of the blocks where they do not follow from the length: given ones, or those on which an own material was measured.
+std::optional<Triple<Length>> find_block(const NewScene& wanted) {
+    if (wanted.block || wanted.length || find_preset(wanted.material) != nullptr) return wanted.block;
+    return wanted.material.reference_block;
+}
+
 double find_length(const NewScene& wanted) {
     if (wanted.length) return *wanted.length;
-    if (wanted.block) return (*wanted.block)[2] / kPrototypeBlock[2];
-    return find_material_preset(wanted.material).length_scale;
+    if (const auto block = find_block(wanted)) return (*block)[2] / kPrototypeBlock[2];
+    return find_preset(wanted.material)->length_scale.value_or(1.0);
 }
 
 std::string describe_scale(double length) {
@@ -121,7 +135,7 @@ std::string describe_scale(double length) {
 
 /// The material on one face of the model's block, in numbers that people write.
 BlockMaterial make_material(const NewScene& wanted, const Triple<Length>& block) {
-    BlockMaterial material = fit_to_block(find_material_preset(wanted.material), block);
+    BlockMaterial material = fit_to_block(wanted.material, block);
     material.normal_stiffness = rounded(material.normal_stiffness, 4);
     material.shear_stiffness = rounded(material.shear_stiffness, 4);
     return material;
@@ -170,16 +184,16 @@ const std::vector<std::string>& new_scene_kinds() {
 }
 
 RecordScale find_scale(const NewScene& wanted) {
-    const double friction = find_material_preset(wanted.material).material.friction / kPrototypeFriction;
+    const double friction = wanted.material.material.friction / kPrototypeFriction;
     return {.law = "mu", .set = {{"l", find_length(wanted)}, {"mu", friction}}};
 }
 
 Scene make_new_scene(const NewScene& wanted) {
     const scaling::Similitude similitude = make_similitude(find_scale(wanted));
-    const Triple<Length> block = wanted.block.value_or(make_block(similitude.length()));
+    const Triple<Length> block = find_block(wanted).value_or(make_block(similitude.length()));
     Scene scene;
     scene.structure = make_structure(wanted, block);
-    scene.name = fmt::format("{} of {} blocks, {}", wanted.kind == "blocks" ? "portal" : wanted.kind, wanted.material,
+    scene.name = fmt::format("{} of {} blocks, {}", wanted.kind == "blocks" ? "portal" : wanted.kind, wanted.material.name,
                              describe_scale(similitude.length()));
     scene.material = make_material(wanted, block);
     scene.base_motion.source = make_motion(similitude);
@@ -194,11 +208,12 @@ Scene make_new_scene(const NewScene& wanted) {
 ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene) {
     ReadableText text;
     const scaling::Similitude similitude = make_similitude(find_scale(wanted));
+    const MaterialPreset* const preset = find_preset(wanted.material);
     text.comments[""] = {"quantities are texts with units; a fraction may stand for a number; texts under \"comment\" are for people",
                          "musim check FILE says what this means and draws it; musim run FILE -o DIR runs it"};
-    text.comments["/material"] = {
-        fmt::format("{} as measured [Harmon23], fitted to this block: stiffness of a whole face across H", wanted.material),
-        "musim calibrate shows how to measure your own; friction and restitution are those of the contact"};
+    text.comments["/material"] = {fmt::format("{} ({}), fitted to this block: stiffness of a whole face across H", wanted.material.name,
+                                              preset != nullptr ? preset->source : "own material"),
+                                  "musim calibrate shows how to measure your own; friction and restitution are those of the contact"};
     text.comments["/structure"] = comment_structure(wanted.kind);
     text.comments["/base_motion"] = comment_motion(scene);
     text.comments["/time"] = {"step: auto takes `safety` times the critical step of the structure; or give a time"};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/readable_scene.hpp"
 #include "lsdem/scene/scene.hpp"
 
@@ -15,16 +16,17 @@ const std::vector<std::string>& new_scene_kinds();
 
 /// What a new scene is to be.
 struct NewScene {
-    std::string kind = "tower";     ///< one of new_scene_kinds()
-    std::string material = "wood";  ///< a preset
-    /// λ_l of the model; default: H of `block` over the prototype's, else that of the block on which the material was measured [-]
+    std::string kind = "tower";  ///< one of new_scene_kinds()
+    MeasuredMaterial material = find_material_preset("wood");
+    /// λ_l of the model; default: H of `block` over the prototype's, else that of the block on which the material was measured; of a stone
+    /// 1 [-]
     std::optional<double> length = {};
-    std::optional<Triple<scaling::Length>> block = {};  ///< thin, wide edge and height; default: the prototype's at the length
+    std::optional<Triple<scaling::Length>> block = {};  ///< thin, wide edge and height; default: the prototype's at the
+                                                        ///< length, of a material that is no preset its own unless a length is given
     std::optional<int> layers = {};                     ///< default: tower 8, wall 6, column 6, blocks (of each pillar) 2
 };
 
-/// The mu law between the papers' prototype, of concrete with μ = 0.59 [Harmon23], and the model. Throws SceneError for a material that is
-/// not known.
+/// The mu law between the papers' prototype, of concrete with μ = 0.59 [Harmon23], and the model.
 RecordScale find_scale(const NewScene& wanted);
 
 /// A scene of the prototype's blocks (1.36 x 2.82 x 4.25 m) at the model's length, or of other ones, of a measured material fitted to them

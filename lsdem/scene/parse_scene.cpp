@@ -63,7 +63,12 @@ scaling::Time find_camera_step(const std::string& preset, const JsonReader& step
                         "or give a step or \"auto\"",
                         fmt::join(material_preset_names(), ", ")));
     }
-    return find_material_preset(preset).camera_step;
+    const std::optional<CameraStep>& camera_step = find_material_preset(preset).camera_step;
+    if (!camera_step) {
+        step.fail(
+            fmt::format("\"camera\" is the step of the papers' tests, and {} is none of their materials; give a step or \"auto\"", preset));
+    }
+    return camera_step->value;
 }
 
 /// `preset`: name of the scene's material, empty for none. With a list of motions the duration may be left out.
@@ -169,7 +174,7 @@ void collect_materials(const JsonReader& object, const detail::StiffnessBase& ba
 
 /// Materials and pairs of a scene whose structure is read.
 void read_materials(const JsonReader& object, Scene& scene) {
-    const detail::StiffnessBase base{reference_area(scene), has_several_bases(scene)};
+    const detail::StiffnessBase base{reference_area(scene), reference_block(scene)[2], has_several_bases(scene)};
     scene.material = parse_material(object["material"], base);
     if (object.has("materials")) {
         const JsonReader materials = object["materials"];

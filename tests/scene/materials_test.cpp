@@ -58,9 +58,46 @@ TEST_CASE("the same solid in a larger block keeps its wave speed and becomes sti
     CHECK(fit_to_block(concrete, concrete.reference_block) == concrete.material);
 }
 
+// k_n = E A/H and k_s = G A/H of the block that the scene has: E by H k_n/A again
+TEST_CASE("a stone has its elasticity in whatever block a scene has, and the numbers of its sources") {
+    struct Case {
+        const char* name;
+        double density, youngs_modulus, poisson, angle;  // [kg/m³], [Pa], [-], basic friction angle [degrees]
+    };
+    for (const Case& c : {Case{"granite", 2650.0, 58.6e9, 0.26, 33.0}, Case{"limestone", 2700.0, 53.9e9, 0.32, 34.0},
+                          Case{"marble", 2750.0, 55.8e9, 0.25, 34.0}}) {
+        CAPTURE(std::string(c.name));
+        for (const char* const material : {R"("%")", R"({"preset": "%", "restitution": 0.5})"}) {
+            std::string text = material;
+            text.replace(text.find('%'), 1, c.name);
+            const Scene scene = parse_scene(R"({"schema": "musim-scene/1", "material": )" + text +
+                                            R"(, "structure": {"kind": "column", "layers": 1, "block": ["0.2 m", "0.6 m", "0.3 m"]},
+                 "time": {"duration": "1 s"}})");
+            const double to_modulus = 0.3 / (0.2 * 0.6);  // H/A [1/m]
+            CHECK(scene.material.density.value() == c.density);
+            CHECK(scene.material.normal_stiffness.value() * to_modulus == doctest::Approx(c.youngs_modulus).epsilon(1e-12));
+            CHECK(scene.material.shear_stiffness.value() * to_modulus ==
+                  doctest::Approx(c.youngs_modulus / (2.0 * (1.0 + c.poisson))).epsilon(1e-12));
+            // two digits are kept
+            CHECK(scene.material.friction == doctest::Approx(std::tan(c.angle * std::acos(-1.0) / 180.0)).epsilon(0.01));
+        }
+        CHECK(find_material_preset(c.name).bar_wave_speed->value() == doctest::Approx(std::sqrt(c.youngs_modulus / c.density)));
+    }
+    // of a list the first block's
+    const Scene list = parse_scene(R"({"schema": "musim-scene/1", "material": "granite", "structure": {"kind": "blocks", "blocks": [
+        {"size": ["0.2 m", "0.6 m", "0.3 m"], "position": [0, 0, "0.15 m"]}, {"size": [1, 1, 1], "position": [3, 0, 0.5]}]},
+        "time": {"duration": "1 s"}})");
+    CHECK(list.material.normal_stiffness.value() == doctest::Approx(58.6e9 * 0.2 * 0.6 / 0.3).epsilon(1e-12));
+    CHECK_THROWS_WITH_AS(
+        parse_scene(R"({"schema": "musim-scene/1", "material": "granite", "structure": {"kind": "column", "layers": 1, "block": [1, 2, 3]},
+            "time": {"duration": 1, "step": "camera"}})"),
+        "scene: /time/step: \"camera\" is the step of the papers' tests, and granite is none of their materials; give a step or \"auto\"",
+        SceneError);
+}
+
 TEST_CASE("an unknown material is refused with the known ones") {
-    musim::lsdem::testing::check_message(musim::lsdem::testing::error_of([] { find_material_preset("marble"); }),
-                                         {"\"marble\"", "wood", "concrete", "aluminium"});
+    musim::lsdem::testing::check_message(musim::lsdem::testing::error_of([] { find_material_preset("basalt"); }),
+                                         {"\"basalt\"", "wood", "concrete", "aluminium", "granite"});
 }
 
 TEST_CASE("a name that holds control characters is refused in one line") {
@@ -89,6 +126,6 @@ TEST_CASE("a step \"camera\" is the preset's, scales like a given one, and needs
     CHECK_THROWS_WITH_AS(
         parse(R"({"density": 1, "normal_stiffness": 1, "shear_stiffness": 1, "friction": 1, "restitution": 1})"),
         "scene: /time/step: \"camera\" is the step of a material preset, and the scene's material is none (presets are wood, concrete, "
-        "aluminium, al_wave, al_printed); name one, or give a step or \"auto\"",
+        "aluminium, al_wave, al_printed, granite, limestone, marble); name one, or give a step or \"auto\"",
         SceneError);
 }

@@ -42,7 +42,7 @@ TEST_CASE("a measured material is a preset, a file of its own, or a scene's") {
 
 TEST_CASE("what is no material is refused") {
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(find_measured_material("marble"), SceneError);
+    CHECK_THROWS_AS(find_measured_material("basalt"), SceneError);
     for (const char* text : {R"([1])", R"({"schema": "musim-material/2", "block": [1, 1, 1], "material": "wood"})",
                              R"({"schema": "musim-material/1", "block": [1, 0, 1], "material": "wood"})",
                              R"({"schema": "musim-material/1", "block": [1, 1, 1]})",

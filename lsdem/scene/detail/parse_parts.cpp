@@ -22,12 +22,13 @@ const MaterialPreset& find_preset(const JsonReader& value) {
     }
 }
 
-/// A preset with the stiffnesses of the base.
+/// A preset with the stiffnesses of the base; of a stone those of the solid in that block.
 BlockMaterial parse_preset(const JsonReader& value, const StiffnessBase& base) {
     const MaterialPreset& preset = find_preset(value);
     BlockMaterial material = preset.material;
-    if (base.presets_keep_own) {
-        const double ratio = base.area / (preset.reference_block[0] * preset.reference_block[1]);
+    if (preset.is_stone() || base.presets_keep_own) {
+        double ratio = base.area / (preset.reference_block[0] * preset.reference_block[1]);
+        if (preset.is_stone()) ratio *= preset.reference_block[2] / base.height;
         material.normal_stiffness *= ratio;
         material.shear_stiffness *= ratio;
     }

@@ -14,6 +14,7 @@ namespace musim::lsdem::detail {
 /// The block whose base has the stiffnesses of a scene.
 struct StiffnessBase {
     scaling::Area area{};           ///< of that base
+    scaling::Length height{};       ///< of the block
     bool presets_keep_own = false;  ///< do stiffnesses of a preset belong to the base of its own block, and per area stay what they are?
 };
 
