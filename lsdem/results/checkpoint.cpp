@@ -77,13 +77,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 14, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 15, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {
     std::string program_version, build, scene;
     std::optional<PreparedPlaces> places;
     std::optional<PreparationState> preparation;
+    std::optional<SettlingState> settling;
     TimePlan plan;
     std::uint64_t samples_done = 0;
     std::optional<RestPhaseState> rest_phase;
@@ -93,7 +94,7 @@ struct Beside {
 /// One list of what a checkpoint holds, for writing from where things are and for reading.
 template <class Fields>
 void exchange_all(Archive& archive, Fields& c, RunResult& run) {
-    archive(c.program_version, c.build, c.scene, c.places, c.preparation, c.plan, c.samples_done, run, c.rest_phase, c.state);
+    archive(c.program_version, c.build, c.scene, c.places, c.preparation, c.settling, c.plan, c.samples_done, run, c.rest_phase, c.state);
 }
 
 void write_file(const CheckpointSettings& settings, Beside& beside, RunResult& run) {
@@ -163,6 +164,21 @@ void write_checkpoint(const CheckpointSettings& settings, PreparationState prepa
     try {
         Beside beside;
         beside.preparation = std::move(preparation);
+        RunResult none;
+        write_file(settings, beside, none);
+    } catch (const std::runtime_error& error) {
+        if (settings.on_failure) settings.on_failure(error.what());
+    }
+}
+
+void write_checkpoint(const CheckpointSettings& settings, const SettlingState& settling, const Simulation& simulation) {
+    try {
+        std::ostringstream state;
+        simulation.save(state);
+        Beside beside;
+        beside.places = settings.places;
+        beside.settling = settling;
+        beside.state = std::move(state).str();
         RunResult none;
         write_file(settings, beside, none);
     } catch (const std::runtime_error& error) {

@@ -45,6 +45,7 @@ struct Checkpoint {
     std::string scene;                            ///< as JSON text
     std::optional<PreparedPlaces> places;         ///< of a specimen that has been prepared
     std::optional<PreparationState> preparation;  ///< of one that was being prepared: what follows is then empty
+    std::optional<SettlingState> settling;        ///< of one that was placed and came to rest: what follows, but for `state`, is then empty
     TimePlan plan;
     std::uint64_t samples_done = 0;
     RunResult run;
@@ -71,8 +72,9 @@ void remove_checkpoint(const std::filesystem::path& file) noexcept;
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
                       const Simulation& simulation, const std::optional<RestPhaseState>& rest_phase = {});
 
-/// The same of a preparation.
+/// The same of a preparation; and of a specimen that is prepared and comes to rest once more, in `simulation`, before its run.
 void write_checkpoint(const CheckpointSettings& settings, PreparationState preparation);
+void write_checkpoint(const CheckpointSettings& settings, const SettlingState& settling, const Simulation& simulation);
 
 /// Writes the checkpoints of one run as they fall due, and at once when the program is asked to stop (scaling::is_interrupted); the file
 /// changes from one to the next in one step.

@@ -10,10 +10,13 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/run/drawn_places.hpp"
 #include "lsdem/run/equilibrium.hpp"
+#include "lsdem/run/work_done.hpp"
 #include "lsdem/scene/resting_pose.hpp"
 
 namespace musim::lsdem {
 namespace {
+
+using detail::WorkDone;
 
 /// A round before the last ends when the base bears what is there to this part of it: looser than at the end, since a block that still tips
 /// is not borne in full.
@@ -22,26 +25,6 @@ constexpr double kEarlyReaction = 1e-3;
 /// Time that both rounds of the whole take together after the layers, over 1/α: uneven walls of 3 and 6 layers 3.8 to 11, rings of 3 to 10
 /// layers 6 to 12, in all ways of placing. For the progress alone [-].
 constexpr double kLeastWhole = 4.0, kMostWhole = 12.0;
-
-/// The work of a preparation and what follows it, reported as the part that is done, which never falls.
-class WorkDone {
-  public:
-    WorkDone(const RunSettings& settings, const WorkToFollow& to_follow) : settings_(settings), to_follow_(to_follow) {}
-    /// Work that is done [block steps], and that is left of the preparation.
-    void report(double done, const PreparationWork& left) {
-        const double alike = 1.0 + to_follow_.preparations;
-        const double all = alike * (done + left.most) + to_follow_.block_steps;
-        part_ = std::max(part_, done / all);
-        if (settings_.observer.on_preparation_spare && std::isfinite(all))
-            settings_.observer.on_preparation_spare(alike * (left.most - left.least) / all);
-        if (settings_.observer.on_progress) settings_.observer.on_progress(part_);
-    }
-
-  private:
-    const RunSettings& settings_;
-    WorkToFollow to_follow_;
-    double part_ = 0.0;
-};
 
 BoxPose box_of(const Model& model, const Block& block) { return {2.0 * half_extents(model, block), block.position, block.orientation}; }
 
@@ -275,7 +258,7 @@ void describe(const Simulation& simulation, PreparedSpecimen& prepared) {
 
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation, const RunSettings& settings,
                          const std::optional<PreparationState>& from, const WorkToFollow& to_follow) {
-    WorkDone progress(settings, to_follow);
+    WorkDone progress(settings.observer, to_follow);
     PreparedSpecimen prepared;
     prepared.specimen = upright;
     const auto finish = [&](const Simulation& simulation, double overlap_before) {

@@ -31,6 +31,9 @@ bool base_moves(const Scene& scene) { return !scene.motions.empty() || !std::hol
 /// Steps that a double counts one by one, and samples of which histories are some hundred gigabytes.
 constexpr double kMostSteps = 0x1p53, kMostSamples = 1e9;
 
+/// How long a specimen by nodes comes to rest anew before its run, over 1/α: uneven walls of 3 and 6 layers. For the progress alone [-].
+constexpr double kSettlesAgain = 1.25;
+
 /// Nearest whole number, one at least and kMostSteps at most.
 std::uint64_t round_count(double value) { return static_cast<std::uint64_t>(std::clamp(std::round(value), 1.0, kMostSteps)); }
 
@@ -56,6 +59,19 @@ std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
         if (all % k < all % best) best = k;
     }
     return best;
+}
+
+/// Gives a damping rate above the blocks' frequency parameter p the time that it needs. Tipping then grows with p²/α in place of p, so all
+/// patience, which counts 1/α, is (α/p)² as long; sway dies out in the last round, at the rate that suits it: what the factors of that
+/// round make of choose_damping_rate().
+void allow_for_strong_damping(double chosen_rate, PreparationSettings& preparation) {
+    const double over = preparation.settling.damping_rate / (2.0 * chosen_rate);  // α/p
+    if (!(over > 1.0)) return;
+    for (double* patience :
+         {&preparation.settling.patience, &preparation.layer_patience, &preparation.resting_patience, &preparation.added_patience}) {
+        *patience *= over * over;
+    }
+    for (double* factor : {&preparation.last_damping, &preparation.last_damping_with_mass_scaling}) *factor /= 2.0 * over;
 }
 
 }  // namespace
@@ -96,10 +112,9 @@ PreparationSettings find_preparation(const Scene& scene, const Specimen& upright
     preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? Placing::layers_mass_scaled : Placing::as_drawn);
     preparation.from_equilibrium = preparation.placing == Placing::as_drawn;
     if (preparation.from_equilibrium) preparation.whole_rounds = 1;
-    preparation.settling.damping_rate =
-        wanted.damping_rate
-            ? wanted.damping_rate->value()
-            : choose_damping_rate(2.0 * upright.model.shapes[blocks.front().shape].half_extents, upright.model.gravity.norm());
+    const double chosen = choose_damping_rate(2.0 * upright.model.shapes[blocks.front().shape].half_extents, upright.model.gravity.norm());
+    preparation.settling.damping_rate = wanted.damping_rate ? wanted.damping_rate->value() : chosen;
+    allow_for_strong_damping(chosen, preparation);
     return preparation;
 }
 
@@ -125,10 +140,15 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Ch
         const double time_step = compute_time_step(scene, specimen.model).value();
         RunSettings own = settings;
         own.observer.on_progress = settings.observer.on_preparation;
-        const WorkToFollow to_follow{
-            .preparations = settings.preparations_to_follow,
-            .block_steps = settings.runs_to_follow * static_cast<double>(plan.steps()) * static_cast<double>(specimen.model.blocks.size())};
-        specimen = prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt, to_follow).specimen;
+        const auto blocks = static_cast<double>(specimen.model.blocks.size());
+        const double decay_steps = 1.0 / (preparation.settling.damping_rate * plan.time_step);
+        const WorkToFollow to_follow{.preparations = settings.preparations_to_follow,
+                                     .block_steps = blocks * (settings.runs_to_follow * static_cast<double>(plan.steps()) +
+                                                              (scene.has_contact_nodes() ? kSettlesAgain * decay_steps : 0.0))};
+        PreparedSpecimen prepared =
+            prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt, to_follow);
+        specimen = std::move(prepared.specimen);
+        specimen.preparation_work = static_cast<double>(prepared.block_steps);
     }
     specimen.settling = preparation.settling;
     specimen.beginning = Beginning::prepared;
@@ -153,14 +173,15 @@ LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings) {
         RunResult none;
         write_checkpoint(*keep_places(settings, laid.specimen).checkpoint, 0, plan, none, simulation);
     }
-    laid.rest = let_settle(scene, laid.specimen, settings.threads);
+    laid.rest = let_settle(scene, laid.specimen, keep_places(settings, laid.specimen), from ? &*from : nullptr);
     return laid;
 }
 
-std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, int threads) {
+std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, const RunSettings& settings, const Checkpoint* from) {
     if (!specimen.settling) return std::nullopt;
-    Simulation simulation(specimen.model, make_time_plan(scene, specimen.model).time_step, threads);
-    std::optional<Rest> rest = settle_specimen(simulation, specimen);
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+    std::optional<Rest> rest = settle_specimen(simulation, specimen, plan, settings, from);
     if (rest->collapsed) {
         throw SceneError(
             fmt::format("{}: {} (a comparison needs a structure that stands); draw it where it stands, or `musim run` it to look at it",
@@ -207,7 +228,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings) {
 RunResult run_specimen(const Scene& scene, const Specimen& specimen, std::optional<Checkpoint> from, const RunSettings& settings) {
     const RunSettings with_places = keep_places(settings, specimen);
     const TimePlan plan = make_time_plan(scene, specimen.model);
-    if (!from || from->preparation) return simulate(specimen, plan, with_places);
+    if (!from || from->preparation || from->settling) return simulate(specimen, plan, with_places, from ? &*from : nullptr);
     require_plan(*from, plan);
     return resume(specimen, std::move(*from), with_places);
 }

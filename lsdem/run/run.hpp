@@ -46,9 +46,9 @@ struct LaidSpecimen {
 /// again, or laid on from where it was. Throws as make_specimen and read_checkpoint do.
 LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings = {});
 
-/// Lets a specimen of a scene come to rest at the step of its run, when it is to settle, and puts it there; how it did. Throws SceneError
-/// for one that has collapsed meanwhile (Rest::collapsed): nothing can be compared with it.
-std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, int threads);
+/// Lets a specimen of a scene come to rest at the step of its run, when it is to settle, or carries that on, and puts it there; how it did.
+/// Throws SceneError for one that has collapsed meanwhile (Rest::collapsed): nothing can be compared with it.
+std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, const RunSettings& settings, const Checkpoint* from = nullptr);
 
 /// Choice of an automatic step when the spine's rate asks for more than one sample a step: every step is a sample; or steps are shortened,
 /// so that runs with steps of their own are sampled at the same times.

@@ -61,11 +61,12 @@ class Sequence {
         rest_length_ = kRestLength / (plan_.settling.damping_rate * plan_.stages.front().plan.time_step);
     }
 
-    SequenceSummary run() {
+    /// From the start, or from where its specimen was coming to rest.
+    SequenceSummary run(const RunSettings& settling, const Checkpoint* from = nullptr) {
         const Clock::time_point start = Clock::now();
         Simulation simulation(plan_.specimen.model, plan_.stages.front().plan.time_step, settings_.threads);
         RunStart begin;
-        begin.rest = settle_specimen(simulation, plan_.specimen);
+        begin.rest = settle_specimen(simulation, plan_.specimen, plan_.stages.front().plan, keep_places(settling, plan_.specimen), from);
         begin.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
         RunResult first = simulate(simulation, plan_.specimen, plan_.stages.front().plan, std::move(begin), settings_of(0));
         return carry_on(simulation, 0, std::move(first));
@@ -221,8 +222,9 @@ SequenceSummary run_sequence(const Scene& scene, const SequenceSettings& setting
     SequencePlan plan = plan_sequence(scene);
     ResultFolder folder(settings.directory, find_origin(scene, settings), settings.force ? Overwriting::force : Overwriting::refuse);
     refuse_old_checkpoint(settings.directory);
-    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, plan, settings));
-    return Sequence(scene, std::move(plan), folder, settings).run();
+    const RunSettings run_settings = find_run_settings(scene, plan, settings);
+    plan.specimen = make_specimen(plan.stages.front().scene, run_settings);
+    return Sequence(scene, std::move(plan), folder, settings).run(run_settings);
 }
 
 SequenceSummary resume_sequence(const SequenceSettings& settings) {
@@ -239,9 +241,11 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
     }
     folder.set_origin(find_origin(scene, settings), Overwriting::resume);
     SequencePlan plan = plan_sequence(scene);
-    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, plan, settings), &checkpoint);
+    const RunSettings run_settings = find_run_settings(scene, plan, settings);
+    plan.specimen = make_specimen(plan.stages.front().scene, run_settings, &checkpoint);
     Sequence sequence(scene, std::move(plan), folder, settings);
-    return checkpoint.preparation ? sequence.run() : sequence.resume(std::move(checkpoint));
+    const bool is_shaken = !checkpoint.preparation && !checkpoint.settling;
+    return is_shaken ? sequence.resume(std::move(checkpoint)) : sequence.run(run_settings, &checkpoint);
 }
 
 }  // namespace musim::lsdem

@@ -14,6 +14,7 @@
 #include "lsdem/rotation.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
 #include "lsdem/run/drawn_places.hpp"
+#include "lsdem/run/work_done.hpp"
 #include "lsdem/time_step.hpp"
 #include "scaling/interruption.hpp"
 
@@ -215,15 +216,35 @@ void update_status(RunResult& run, const Simulation& simulation) {
     }
 }
 
-std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen) {
+std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, const RunSettings& settings,
+                                    const Checkpoint* from) {
     if (!specimen.settling) return std::nullopt;
     Rest rest;
     note_fallen(specimen, simulation.kinematics(), rest);
+    SettlingSimulation settling = from != nullptr && from->settling
+                                      ? SettlingSimulation(restore(specimen, *from, settings.threads))
+                                      : SettlingSimulation(std::move(simulation), specimen.settling->damping_rate);
+    const auto blocks = static_cast<double>(specimen.model.blocks.size());
+    const RunObserver observer{.on_progress = settings.observer.on_preparation,
+                               .on_preparation_spare = settings.observer.on_preparation_spare};
+    detail::WorkDone work(observer, {.preparations = settings.preparations_to_follow,
+                                     .block_steps = settings.runs_to_follow * static_cast<double>(plan.steps()) * blocks});
+    CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
     SettlingWatch watch;
-    // what has collapsed is looked at for as long as it takes to see whether it lies at rest
-    if (rest.collapsed) watch.give_up = [looks = 0]() mutable { return ++looks > kChecksInARow; };
-    SettlingSimulation settling(std::move(simulation), specimen.settling->damping_rate);
-    rest = settle(settling, *specimen.settling, watch);
+    watch.on_progress = [&](double part, std::uint64_t steps) {
+        const double taken = blocks * static_cast<double>(steps);
+        const double left = part > 0.0 ? taken * (1.0 - part) / part : std::numeric_limits<double>::infinity();
+        work.report(specimen.preparation_work + taken, {left, left});
+    };
+    if (rest.collapsed) {
+        // what has collapsed is looked at for as long as it takes to see whether it lies at rest
+        watch.give_up = [looks = 0]() mutable { return ++looks > kChecksInARow; };
+    } else if (settings.checkpoint) {
+        watch.on_state = [&](const SettlingState& state) {
+            checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, state, settling.state()); });
+        };
+    }
+    rest = settle(settling, *specimen.settling, watch, from != nullptr && from->settling ? *from->settling : SettlingState{});
     note_fallen(specimen, settling.state().kinematics(), rest);
     simulation = std::move(settling).finish();
     return rest;
@@ -252,11 +273,11 @@ RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimeP
     return run;
 }
 
-RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings) {
+RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings, const Checkpoint* from) {
     const Clock::time_point start = Clock::now();
     Simulation simulation(specimen.model, plan.time_step, settings.threads);
     RunStart begin;
-    begin.rest = settle_specimen(simulation, specimen);
+    begin.rest = settle_specimen(simulation, specimen, plan, settings, from);
     begin.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
     return simulate(simulation, specimen, plan, std::move(begin), settings);
 }

@@ -24,6 +24,7 @@ struct Specimen {
     std::vector<std::string> name = {};  ///< of listed blocks, see BlockTable::name
     Beginning beginning = Beginning::listed;
     std::vector<BoxPose> drawn = {};  ///< the blocks as the scene has them; empty: not known
+    double preparation_work = 0.0;    ///< that it took so far, for the progress of what follows [block steps]
 };
 
 /// Who watches a run; none of it changes the results. Parts are from 0 to 1.
@@ -54,8 +55,8 @@ BlockTable make_block_table(const Specimen& specimen);
 
 /// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges; where it collapsed while
 /// it was prepared (note_fallen) it is not run: there is one sample, and the collapse is at its time, zero. Time, energy balance and
-/// rotations count from rest. Throws std::invalid_argument as Simulation does.
-RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {});
+/// rotations count from rest. It comes to rest from where `from` was, if that was in it. Throws std::invalid_argument as Simulation does.
+RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {}, const Checkpoint* from = nullptr);
 
 /// State that a run starts with besides its specimen, when it is one of several on the same structure.
 struct RunStart {
@@ -66,9 +67,12 @@ struct RunStart {
 };
 
 /// Lets a specimen come to rest when it asks for that, and its simulation begin from there; nothing when it does not. One that was
-/// prepared is at rest within a few hundred steps, and one that has collapsed is not waited for. What has fallen is noted. When something
-/// is thrown the simulation is gone.
-std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
+/// prepared is at rest within a few hundred steps; where contacts by nodes bore friction it comes to rest anew, since they cannot be given
+/// it (Model::preload). One that has collapsed is not waited for. What has fallen is noted. Progress goes on where that of the preparation
+/// ended, before the run of `plan`, and checkpoints are left as they fall due; `from`, if it is of such a settling, is carried on to the
+/// same bits. When something is thrown the simulation is gone.
+std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen, const TimePlan& plan,
+                                    const RunSettings& settings = {}, const Checkpoint* from = nullptr);
 
 /// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end. One
 /// that collapsed before (begin.rest) is not run. Throws

@@ -35,7 +35,10 @@ TimePlan find_whole_plan(const PairMember& member) {
 
 RunResult run_anew(Simulation& simulation, const PairMember& member, const RunSettings& settings) {
     RunStart begin{.rest = member.rest};
-    if (member.specimen.settling) begin.rest = settle_specimen(simulation, member.specimen);
+    if (member.specimen.settling) {
+        begin.rest =
+            settle_specimen(simulation, member.specimen, member.plan, {.threads = settings.threads, .observer = settings.observer});
+    }
     if (member.staged) return run_stages(simulation, member.specimen, *member.staged, std::move(begin), settings);
     return simulate(simulation, member.specimen, member.plan, std::move(begin), settings);
 }

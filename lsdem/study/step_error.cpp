@@ -28,7 +28,7 @@ std::optional<StepError> find_step_error(const PairStudy& study) {
 }
 
 StepError estimate_step_error(const Scene& scene, Specimen specimen, const RunResult& run, const RunSettings& settings) {
-    let_settle(scene, specimen, settings.threads);
+    let_settle(scene, specimen, {.threads = settings.threads});
     TimePlan plan = make_time_plan(scene, specimen.model).with_finer_step(2);
     plan.samples_per_frame = 0;
     const RunResult half =

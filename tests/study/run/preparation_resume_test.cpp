@@ -1,7 +1,10 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -108,6 +111,42 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
         CHECK(resumed.state_hash == whole.state_hash);
         CHECK(resumed.rest->steps == whole.rest->steps);
         CHECK((looks == 0) == (look == 0));
+    }
+}
+
+// contacts by nodes cannot be given the friction that they bore when the preparation ended, so the specimen comes to rest once more
+TEST_CASE("a specimen by nodes that comes to rest before its run shows how far it is, and goes on when it was killed") {
+    const Scene scene = make_prepared_wall(
+        R"(, "shape": {"kind": "box", "nodes_per_face": 12}, "contact": {"faces": "nodes"}, "time": {"duration": "1 ms"})");
+    std::vector<double> parts;
+    const RunResult whole = run_scene(scene, {.observer = {.on_preparation = [&](double part) { parts.push_back(part); }}});
+    REQUIRE(whole.rest->at_rest);
+    const auto looks = static_cast<std::ptrdiff_t>(whole.rest->steps / 64);
+    REQUIRE(looks > 20);
+    // the part grows from look to look, beyond what the preparation had come to
+    const auto settling = parts.end() - looks;
+    CHECK(std::is_sorted(settling, parts.end()));
+    CHECK(parts.back() > *(parts.end() - looks / 2));
+    CHECK(parts.back() > *std::max_element(parts.begin(), settling));
+    for (const std::ptrdiff_t look : {looks - 3, looks / 2, std::ptrdiff_t{2}}) {
+        CAPTURE(look);
+        const TemporaryFolder folder;
+        std::ptrdiff_t left = std::ssize(parts) - look;
+        const auto kill = [&left](double) {
+            if (--left == 0) throw KilledPreparation{};
+        };
+        const RunSettings killed{.observer = {.on_preparation = kill}, .checkpoint = checkpoint_in(folder.path())};
+        CHECK_THROWS_AS(run_scene(scene, killed), KilledPreparation);
+        Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
+        CHECK(checkpoint.settling.has_value());
+        CHECK(checkpoint.places.has_value());
+        int again = 0;
+        const RunSettings counted{.threads = 2, .observer = {.on_preparation = [&](double) { ++again; }}};
+        const RunResult resumed = resume_scene(scene, std::move(checkpoint), counted);
+        CHECK(resumed.state_hash == whole.state_hash);
+        CHECK(resumed.rest->steps == whole.rest->steps);
+        // nothing but what was left
+        CHECK(again <= look + 2);
     }
 }
 

@@ -107,6 +107,30 @@ TEST_CASE("what has no time to come to rest with inertia added does so with its 
     for (std::size_t i = 0; i < patient.tilt.size(); ++i) CHECK(std::abs(hasty.tilt[i] - patient.tilt[i]) < 2e-4);
 }
 
+// Tipping grows with p²/α where α is far above p, so the time that is enough for weak damping, so many times 1/α, is not enough for strong
+TEST_CASE("blocks laid under a damping far above their frequency parameter come to rest") {
+    lsdem::Scene scene = make_wall_scene();
+    scene.preparation.emplace();
+    scene.preparation->placing = lsdem::Placing::layers;
+    scene.preparation->damping_rate = musim::scaling::Frequency::from_value(192.0);
+    const Specimen upright = make_upright_specimen(scene);
+    const double step = lsdem::compute_time_step(scene, upright.model).value();
+    PreparationSettings settings = find_preparation(scene, upright);
+    const PreparationSettings weak;
+    const double over =
+        192.0 / (2.0 * lsdem::choose_damping_rate(2.0 * upright.model.shapes[0].half_extents, upright.model.gravity.norm()));
+    CHECK(settings.settling.patience == doctest::Approx(weak.settling.patience * over * over));
+    CHECK(settings.last_damping * over == doctest::Approx(weak.last_damping / 2.0));
+    CHECK(prepare(upright, step, settings).rest.at_rest);
+    settings.settling.patience = weak.settling.patience;
+    settings.layer_patience = weak.layer_patience;
+    settings.last_damping = weak.last_damping;
+    CHECK_FALSE(prepare(upright, step, settings).rest.at_rest);
+    // below p nothing changes
+    scene.preparation->damping_rate = musim::scaling::Frequency::from_value(192.0 / over);
+    CHECK(find_preparation(scene, upright).settling.patience == weak.settling.patience);
+}
+
 // The same blocks in the same places, so that differences block by block show more than two means. Forces have no such partners: a contact
 // of the one may be open in the other.
 TEST_CASE("specimens of layers with scaled mass are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
