@@ -79,12 +79,6 @@ enum class ContactNodes {
     both     ///< those of both blocks, each side with half the stiffness per area
 };
 
-/// Sharing of a face's stiffness among its nodes.
-enum class StiffnessSharing {
-    per_area,    ///< by tributary area: independent of the node density and of how many blocks share a face
-    per_contact  ///< each pair of blocks gets the whole face's stiffness, divided by its nodes in contact, as [Harmon23] can be read
-};
-
 /// Contact of boxes with each other and with the ground.
 enum class FaceContact {
     overlap,  ///< springs that store half of K_n times the integral of both depths over the overlap: see docs/theory/overlap_contact.md
@@ -104,9 +98,8 @@ struct Preload {
 
 /// Choices by which a model is computed.
 struct Numerics {
-    FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
+    FaceContact face_contact = FaceContact::overlap;
     ContactNodes contact_nodes = ContactNodes::leader;
-    StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
     bool skip_rest = true;   ///< pass over time in which the base stands and nothing moves
     bool skip_apart = true;  ///< pass over pairs that cannot have met since they were found apart; same results
 };
@@ -131,8 +124,7 @@ struct Model {
 /// Does a block meet the ground, and others of its kind, by their overlap?
 inline bool meets_by_overlap(const Model& model, const Block& block) {
     const Shape& shape = model.shapes[block.shape];
-    return model.numerics.face_contact == FaceContact::overlap && model.numerics.stiffness_sharing == StiffnessSharing::per_area &&
-           shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
+    return model.numerics.face_contact == FaceContact::overlap && shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
 }
 
 }  // namespace musim::lsdem

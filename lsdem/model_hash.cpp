@@ -49,8 +49,8 @@ static void exchange(Archive& archive, Ground& g) { archive(g.present, g.materia
 static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
 static void exchange(Archive& archive, Model& m) {
-    archive(m.shapes, m.materials, m.pairs, m.blocks, m.ground, m.gravity, m.numerics.contact_nodes, m.numerics.stiffness_sharing,
-            m.numerics.skip_rest, m.numerics.skip_apart, m.numerics.face_contact, m.velocity_damping, m.preload);
+    archive(m.shapes, m.materials, m.pairs, m.blocks, m.ground, m.gravity, m.numerics.contact_nodes, m.numerics.skip_rest,
+            m.numerics.skip_apart, m.numerics.face_contact, m.velocity_damping, m.preload);
 }
 
 std::uint64_t hash_model(Model model, double time_step) {

@@ -36,9 +36,8 @@ Eigen::Index find_upright_axis(const Block& block) {
     return axis;
 }
 
-/// Spread of the stiffness of a face: evenly, over its nodes by area, or all of it at the node farthest from the middle, which is the
-/// stiffest that StiffnessSharing::per_contact can make of it.
-enum class Spread { even, by_nodes, at_corner };
+/// Spread of the stiffness of a face: evenly, or over its nodes by area.
+enum class Spread { even, by_nodes };
 
 /// Points that stand for a face, with their areas.
 struct FacePoint {
@@ -66,15 +65,11 @@ std::vector<FacePoint> find_face_points(const Model& model, const Block& block, 
     if (spread == Spread::even) return spread_evenly(half_extents(model, block), axis, sign);
     const BlockNodes nodes = nodes_of(model, block);
     std::vector<FacePoint> points;
-    FacePoint corner{Vector3::Zero(), 0.0};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const FacePoint point{nodes.position(i), std::max(0.0, sign * nodes.area(i)[axis])};
-        if (point.area == 0.0) continue;
-        points.push_back(point);
-        if (point.place.norm() > corner.place.norm()) corner.place = point.place;
-        corner.area += point.area;
+        if (point.area > 0.0) points.push_back(point);
     }
-    return spread == Spread::by_nodes ? points : std::vector<FacePoint>{corner};
+    return points;
 }
 
 /// Face of a block across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
@@ -122,7 +117,6 @@ class Partners {
         for (const Block& block : model.blocks) heaviest_ = std::max(heaviest_, block.fixed ? kInfinite : block.mass);
     }
 
-    /// Per contact, each of the two blocks on a face brings the whole stiffness of the face.
     Interface stiffest(const Block& block) const {
         const double effective = heaviest_ == kInfinite ? block.mass : block.mass * heaviest_ / (block.mass + heaviest_);
         Interface worst;
@@ -134,7 +128,7 @@ class Partners {
             worst.normal_damping = std::max(worst.normal_damping, law.normal_damping);
             worst.shear_damping = std::max(worst.shear_damping, law.shear_damping);
         }
-        return model_.numerics.stiffness_sharing == StiffnessSharing::per_contact ? scaled(worst, 2.0) : worst;
+        return worst;
     }
 
   private:
@@ -166,10 +160,7 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
 }
 
 double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis) {
-    if (meets_by_overlap(model, block)) return block_limit(model, partners, block, axis, Spread::even);
-    const double spread = block_limit(model, partners, block, axis, Spread::by_nodes);
-    if (model.numerics.stiffness_sharing == StiffnessSharing::per_area) return spread;
-    return std::min(spread, block_limit(model, partners, block, axis, Spread::at_corner));
+    return block_limit(model, partners, block, axis, meets_by_overlap(model, block) ? Spread::even : Spread::by_nodes);
 }
 
 /// Calls visit(block) with a block of every kind that moves: equal ones count once; of blocks that differ in height only, the shortest and

@@ -96,12 +96,6 @@ void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_
     work += sums.work;
 }
 
-/// Area of every node in contact when a pair shares its stiffness per contact, from the number that touched a step ago; zero otherwise.
-double find_equal_area(const Model& model, const Shape& leader, const PairTally& before) {
-    if (model.numerics.stiffness_sharing == StiffnessSharing::per_area) return 0.0;
-    return leader.face_area / std::max(1U, before.touching);
-}
-
 /// Books what a pair gives up when its contact starts anew, at other faces: of the stored energy, what its last force does not return over
 /// the second half of the step from n − 1 to n.
 void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairTally& stored,
@@ -164,12 +158,8 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
     }
     // a smooth leader has one face only: were it named by an axis, a contact that rolls would begin anew every quarter turn
     if (!leader.faceted) face.leader_axis = 0;
-    const detail::NodeContact contact{.leader = nodes_of(model, model.blocks[l]),
-                                      .pose = pose,
-                                      .law = StepLaw(pair.law, base.elapsed),
-                                      .equal_area = find_equal_area(model, leader, list.tallies[index]),
-                                      .pair = pair,
-                                      .list = list};
+    const detail::NodeContact contact{
+        .leader = nodes_of(model, model.blocks[l]), .pose = pose, .law = StepLaw(pair.law, base.elapsed), .pair = pair, .list = list};
     const auto* const grid = on_ground ? nullptr : std::get_if<GridLevelSet>(&model.shapes[model.blocks[f].shape].level_set);
     if (grid == nullptr) start_new_faces(bodies, base, face, index, list);
     const PairSums sums =

@@ -165,7 +165,7 @@ struct ViscousAxis {
 /// Long, since it is one loop over nodes whose steps share some forty values in registers.
 template <bool Faceted, bool Bounded>
 [[gnu::always_inline]] inline PairSums sum_flat(const NodeContact& contact, const FlatFollower& face) {
-    const auto& [leader, pose, law, equal_area, pair, list] = contact;
+    const auto& [leader, pose, law, pair, list] = contact;
     const std::size_t k = face.axis, u = (k + 1) % 3, v = (k + 2) % 3;
     const AxisMatch match(pose, face);
     const NodePointers nodes(leader.shape.nodes, match);
@@ -241,11 +241,6 @@ template <bool Faceted, bool Bounded>
         }
         const LaneMask deep = (overlap > zero) & real;
         const Lanes normal_change = side * d_k(px, py, pz), change_u = d_u(px, py, pz), change_v = d_v(px, py, pz);
-        if (equal_area > 0.0) {
-            // a node counts as a whole when at least half of its cell lies on the follower
-            area = choose(area >= 0.5 * share, choose(share > zero, broadcast<Lanes>(equal_area), zero), zero);
-            partial = LaneMask{};
-        }
         const LaneMask active = deep & (area > zero);
         const LaneMask lasting = active & touched;
         const LaneMask over = touched & ~lasting;

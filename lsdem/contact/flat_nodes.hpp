@@ -85,8 +85,6 @@ struct NodeContact {
     BlockNodes leader;
     const RelativePose& pose;
     StepLaw law;
-    /// Area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
-    double equal_area;
     const ContactPair& pair;
     ContactList& list;
 };

@@ -102,7 +102,7 @@ class BlockGrid {
 }  // namespace
 
 PairSums sum_grid_nodes(const NodeContact& contact, const GridLevelSet& shape, double height_offset) {
-    const auto& [leader, pose, law, equal_area, pair, list] = contact;
+    const auto& [leader, pose, law, pair, list] = contact;
     const BlockGrid grid(shape, height_offset);
     PairSums sums;
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) {
@@ -117,8 +117,7 @@ PairSums sum_grid_nodes(const NodeContact& contact, const GridLevelSet& shape, d
         const Vector3 gradient = grid.gradient(point);
         const double norm = gradient.norm();
         const Row normal = norm > 0.0 ? row_of(gradient / norm) : Row{};
-        const double own_area = acting_area(leader, i, pose.in_leader_frame(normal));
-        const double area = equal_area > 0.0 && own_area > 0.0 ? equal_area : own_area;
+        const double area = acting_area(leader, i, pose.in_leader_frame(normal));
         if (overlap > 0.0 && area > 0.0) {
             // what a new contact overlapped before it was noticed carries nothing: a node that turns from one face to another begins deep
             const double before = list.first_step ? 0.0 : std::max(0.0, overlap + dot(normal, change));

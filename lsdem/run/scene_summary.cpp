@@ -60,9 +60,8 @@ void count_blocks(const Scene& scene, SceneSummary& summary) {
 
 std::string describe_contact(const Scene& scene) {
     if (!scene.has_contact_nodes()) return "boxes meet by the energy of their overlap, in closed form";
-    return fmt::format("by surface nodes of {}, stiffness {}",
-                       scene.contact_nodes == ContactNodes::leader ? "the lower block" : "both blocks",
-                       scene.stiffness_sharing == StiffnessSharing::per_area ? "by area" : "shared per contact");
+    return fmt::format("by surface nodes of {}, stiffness by area",
+                       scene.contact_nodes == ContactNodes::leader ? "the lower block" : "both blocks");
 }
 
 void plan_motions(const Scene& scene, SceneSummary& summary) {

@@ -204,7 +204,6 @@ BuiltModel build_model(const Scene& scene) {
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     model.gravity = detail::to_vector(scene.gravity);
     model.numerics.contact_nodes = scene.contact_nodes;
-    model.numerics.stiffness_sharing = scene.stiffness_sharing;
     model.numerics.face_contact = scene.face_contact;
 
     built.structure.spine = arrangement.spine;

@@ -287,10 +287,7 @@ scaling::Length default_pitch(const Triple<scaling::Length>& block) {
     return block[1] * kPitchOverWidth;
 }
 
-bool Scene::has_contact_nodes() const {
-    const bool meet_by_overlap = face_contact == FaceContact::overlap && stiffness_sharing == StiffnessSharing::per_area;
-    return !meet_by_overlap || !std::holds_alternative<BoxShape>(shape);
-}
+bool Scene::has_contact_nodes() const { return face_contact != FaceContact::overlap || !std::holds_alternative<BoxShape>(shape); }
 
 scaling::Similitude make_similitude(const RecordScale& scale) {
     std::vector<scaling::GivenFactor> given;

@@ -48,7 +48,6 @@ class SceneWriter {
                           {"ground", write_part(scene.ground)},
                           {"contact",
                            {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
-                            {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"},
                             {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
                           {"time", to_json(scene.time, !scene.motions.empty())},
                           {"output", write_part(scene.output)}};

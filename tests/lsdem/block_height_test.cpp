@@ -169,8 +169,6 @@ TEST_CASE("a shaken column of offset blocks moves as one of blocks with shapes o
     Twins twins = make_twins(wood(), stack(wood(), kStrains));
     twins.change(shake_layers);
     for_all_contacts(twins, [](const Twins& t) { check_same(t, 3000, 1e-3); });
-    twins.change([](Model& model) { model.numerics.stiffness_sharing = StiffnessSharing::per_contact; });
-    check_same(twins, 3000, 1e-3);
 }
 
 TEST_CASE("an offset block strikes the side of its neighbor as one with a shape of its own") {

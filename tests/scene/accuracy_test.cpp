@@ -72,7 +72,7 @@ TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
         CHECK(model.shapes.front().nodes.size() == 8);
     }
     const std::string nodes = R"(, "shape": {"kind": "box", "nodes_per_face": 12}, "contact": )";
-    for (const char* contact : {R"({"faces": "nodes"})", R"({"stiffness": "per_contact"})", R"({"nodes": "both", "faces": "nodes"})"}) {
+    for (const char* contact : {R"({"faces": "nodes"})", R"({"nodes": "both", "faces": "nodes"})"}) {
         const Scene scene = parse(nodes + contact);
         CHECK(scene.has_contact_nodes());
         CHECK(scene.text.remarks.empty());
@@ -94,7 +94,7 @@ TEST_CASE("settings of nodes where there are none, and old names, get one warnin
     const std::string shape = R"(, "shape": {"kind": "box", "nodes_per_face": 9})";
     const std::vector<Case> cases{
         {"", {}},
-        {R"(, "contact": {"nodes": "leader", "stiffness": "per_area", "faces": "overlap"}, "shape": {"kind": "box"})", {}},
+        {R"(, "contact": {"nodes": "leader", "faces": "overlap"}, "shape": {"kind": "box"})", {}},
         {R"(, "contact": {"faces": "patch"})", {"/contact/faces"}},
         {R"(, "contact": {"spacing": "even"})", {"/contact/spacing"}},
         {R"(, "contact": {"spacing": "lobatto"})", {"/contact/spacing"}},

@@ -40,17 +40,16 @@ TEST_CASE("mass is density times volume and the stiffness of a face is spread ov
     CHECK(model.ground.present);
     CHECK(model.gravity == Vector3(0.0, 0.0, -9.80665));
     CHECK(model.numerics.contact_nodes == ContactNodes::leader);
-    CHECK(model.numerics.stiffness_sharing == StiffnessSharing::per_area);
     CHECK(model.numerics.face_contact == FaceContact::overlap);
 }
 
 TEST_CASE("the ground may have its own friction or be absent, and both sides may probe") {
-    const Model model = make_model(parse_scene(
-        make_scene_text(kColumn, R"(, "ground": {"friction": 0.2}, "contact": {"nodes": "both", "stiffness": "per_contact"})")));
+    const Model model = make_model(
+        parse_scene(make_scene_text(kColumn, R"(, "ground": {"friction": 0.2}, "contact": {"nodes": "both", "faces": "nodes"})")));
     CHECK(model.ground.material.friction == 0.2);
     CHECK(model.materials[0].friction == 0.63);
     CHECK(model.numerics.contact_nodes == ContactNodes::both);
-    CHECK(model.numerics.stiffness_sharing == StiffnessSharing::per_contact);
+    CHECK(model.numerics.face_contact == FaceContact::nodes);
     CHECK_FALSE(make_model(parse_scene(make_scene_text(kColumn, R"(, "ground": {"present": false})"))).ground.present);
 }
 

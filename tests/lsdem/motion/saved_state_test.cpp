@@ -71,14 +71,13 @@ std::vector<NamedModel> make_models() {
     // the same wall with other contacts
     Stone dashpots = wood();
     dashpots.shear_damping_ratio = 0.1;
-    Model viscous = make_running_bond(dashpots, 1, 2, 3), by_nodes = bond, both = bond, per_contact = bond;
+    Model viscous = make_running_bond(dashpots, 1, 2, 3), by_nodes = bond, both = bond;
     viscous.blocks[0].fixed = true;
     shake(viscous);
     by_nodes.numerics.face_contact = FaceContact::nodes;
     both.numerics.face_contact = FaceContact::nodes;
     both.numerics.contact_nodes = ContactNodes::both;
-    per_contact.numerics.stiffness_sharing = StiffnessSharing::per_contact;
-    per_contact.materials[0].shear_damping_ratio = 0.1;
+    both.materials[0].shear_damping_ratio = 0.1;
     Model grids = make_resting_column(wood(), 3);
     grids.shapes[0] = make_grid_box_shape(wood().size, make_node_lattice(wood().size, 44), 0.001);
     grids.blocks[2].orientation = Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitY()));
@@ -87,16 +86,9 @@ std::vector<NamedModel> make_models() {
     Model balls = make_model(wood());
     balls.shapes[0] = make_sphere_shape(0.01, 200, 0.001);
     for (int i = 0; i < 3; ++i) balls.blocks.push_back(make_block(wood(), {0.004 * i, 0.0, 0.0105 + 0.021 * i}));
-    return {{"column", column},
-            {"running bond", bond},
-            {"pile of tilted blocks", pile},
-            {"free flight", cloud},
-            {"sliding block", sliding},
-            {"dashpots and a fixed block", viscous},
-            {"nodes", by_nodes},
-            {"nodes of both", both},
-            {"stiffness per contact", per_contact},
-            {"grid level sets", grids},
+    return {{"column", column},     {"running bond", bond},     {"pile of tilted blocks", pile},
+            {"free flight", cloud}, {"sliding block", sliding}, {"dashpots and a fixed block", viscous},
+            {"nodes", by_nodes},    {"nodes of both", both},    {"grid level sets", grids},
             {"balls", balls}};
 }
 
@@ -215,7 +207,6 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
         [&](Model& m) { up(m.ground.motion[1].start); },
         [&](Model& m) { up(m.gravity.x()); },
         [&](Model& m) { m.numerics.contact_nodes = ContactNodes::both; },
-        [&](Model& m) { m.numerics.stiffness_sharing = StiffnessSharing::per_contact; },
         [&](Model& m) { m.numerics.face_contact = FaceContact::nodes; },
         [&](Model& m) { m.numerics.skip_rest = !m.numerics.skip_rest; },
         [&](Model& m) { m.numerics.skip_apart = !m.numerics.skip_apart; },
