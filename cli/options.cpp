@@ -25,6 +25,7 @@
 #include "scaling/number.hpp"
 #include "scaling/shorten.hpp"
 #include "scaling/side_by_side.hpp"
+#include "scaling/unlikely.hpp"
 
 namespace musim::cli {
 namespace {
@@ -139,9 +140,11 @@ scaling::UncertainScales SimilitudeOptions::scales() const {
 }
 
 void note_larger_model(double length) {
-    if (!(length > 1.0)) return;
-    note_at_end(fmt::format(
-        "musim: note: --length {0:.7g} makes the model larger than the prototype; a model at 1:{0:.7g} is --length 1/{0:.7g}", length));
+    if (const auto words = scaling::describe_unlikely_length_factor(length, "--length ")) note_at_end("musim: note: " + *words);
+}
+
+void note_unlikely(const std::string& option, const std::optional<std::string>& words) {
+    if (words) note_at_end(fmt::format("musim: note: {}: {}", option, *words));
 }
 
 void SimilitudeOptions::note_doubtful_factors() const {

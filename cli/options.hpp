@@ -5,6 +5,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -85,6 +86,9 @@ std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::strin
 
 /// A remark at the end on a length above one: 107 typed for 1/107 would be a scale, too.
 void note_larger_model(double length);
+
+/// A remark at the end on an option whose value is hardly meant, `words` being those of scaling/unlikely.hpp, if there are any.
+void note_unlikely(const std::string& option, const std::optional<std::string>& words);
 
 /// A remark at the end when one of the factors is uncertain: for commands that use their values alone.
 void note_values_used(const std::vector<scaling::UncertainFactor>& factors);

@@ -78,7 +78,8 @@ void report_doubts(const std::string& where, const lsdem::RunResult& run) {
     for (const std::string& warning : lsdem::find_warnings(run)) note("musim: warning: {}: {}\n", where, warning);
 }
 
-void note_plain_number(const lsdem::Scene& scene) {
+void note_reading(const lsdem::Scene& scene) {
+    for (const std::string& line : scene.text.notes) note_at_end(fmt::format("musim: note: {}", line));
     if (scene.text.plain_number.empty()) return;
     note_at_end(
         fmt::format("musim: note: {}: {}: a number without a unit is taken as SI, here and elsewhere in the file; write text with "
@@ -89,7 +90,7 @@ void note_plain_number(const lsdem::Scene& scene) {
 lsdem::Scene read_scene(const std::filesystem::path& file) {
     lsdem::Scene scene = lsdem::read_scene(file);
     for (const std::string& remark : scene.text.remarks) note("musim: warning: {}\n", remark);
-    note_plain_number(scene);
+    note_reading(scene);
     return scene;
 }
 

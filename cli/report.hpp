@@ -46,8 +46,8 @@ void report_doubts(const std::string& where, const lsdem::RunResult& run);
 /// The scene of a file; what is to be said about its text, on stderr, `musim: warning: ...`.
 lsdem::Scene read_scene(const std::filesystem::path& file);
 
-/// A remark at the end about quantities of a scene's text that are numbers without a unit.
-void note_plain_number(const lsdem::Scene& scene);
+/// Remarks at the end about how values of a scene's text were understood: unit weights, numbers without a unit.
+void note_reading(const lsdem::Scene& scene);
 
 /// One line on stderr, `musim: warning: ...`, for every motion of a scene that its duration cuts.
 void note_cut_motions(const std::string& where, const lsdem::Scene& scene);

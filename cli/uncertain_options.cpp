@@ -9,6 +9,7 @@
 #include "cli/options.hpp"
 #include "cli/whole_option.hpp"
 #include "scaling/number.hpp"
+#include "scaling/unlikely.hpp"
 
 namespace musim::cli {
 namespace {
@@ -83,7 +84,10 @@ void add_structure_options(CLI::App& command, scaling::UncertainScales& scales) 
 
 scaling::ModelProperties structure_of(const scaling::UncertainScales& scales) {
     scaling::ModelProperties properties;
-    if (scales.friction_prototype) properties.friction_prototype = scales.friction_prototype->value;
+    if (scales.friction_prototype) {
+        properties.friction_prototype = scales.friction_prototype->value;
+        note_unlikely("--friction-prototype", scaling::describe_unlikely_friction(scales.friction_prototype->value));
+    }
     for (const scaling::Uncertain& each : scales.slenderness) properties.slenderness.push_back(each.value);
     return properties;
 }

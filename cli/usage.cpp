@@ -13,7 +13,7 @@
 namespace musim::cli {
 namespace {
 
-/// What is said of a value of which nothing is given.
+/// Words on an empty value.
 constexpr const char* kEmpty = "is empty; give a value, or leave it out";
 
 /// A command as it was typed, down to the last subcommand.
@@ -83,7 +83,7 @@ bool is_blank(std::string_view text) { return text.find_first_not_of(" \t") == s
 void refuse_empty_values(CLI::App& app) {
     const CLI::Validator not_empty{[](std::string& text) { return is_blank(text) ? std::string(kEmpty) : ""; }, ""};
     for (CLI::Option* option : app.get_options()) {
-        if (option->get_expected_min() > 0) option->check(not_empty);
+        if (option->get_expected_min() > 0) option->transform(not_empty);  // before all other checks
     }
     for (CLI::App* each : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_values(*each);
 }

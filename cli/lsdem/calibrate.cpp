@@ -6,6 +6,7 @@
 #include "cli/options.hpp"
 #include "cli/usage.hpp"
 #include "lsdem/scene/material_presets.hpp"
+#include "scaling/unlikely.hpp"
 
 namespace musim::cli {
 
@@ -43,6 +44,9 @@ lsdem::BlockSample SampleOptions::sample() const {
     if (friction) sample.friction = sample.ground_friction = *friction;
     if (ground_friction) sample.ground_friction = *ground_friction;
     if (restitution) sample.restitution = *restitution;
+    note_unlikely("--density", scaling::describe_unlikely_density(scaling::Density::from_value(sample.density)));
+    note_unlikely("--friction", scaling::describe_unlikely_friction(sample.friction));
+    if (ground_friction) note_unlikely("--ground-friction", scaling::describe_unlikely_friction(sample.ground_friction));
     lsdem::make_model(sample);  // refuses what cannot be
     return sample;
 }

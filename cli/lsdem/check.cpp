@@ -29,7 +29,7 @@ int run_check(const CheckOptions& options) {
     refuse_overwriting({options.scene}, {options.out});
     if (!options.out.empty()) read_option("--out", [&] { lsdem::require_picture_name(options.out); });
     const lsdem::Scene scene = lsdem::read_scene(options.scene);
-    note_plain_number(scene);
+    note_reading(scene);
     const lsdem::SceneSummary summary = lsdem::summarize_scene(scene);
     std::optional<lsdem::RunTimeEstimate> run_time;
     if (!options.no_timing) run_time = lsdem::measure_run_time(summary, options.threads);

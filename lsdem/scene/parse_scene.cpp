@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lsdem/scene/detail/scene_parts.hpp"
+#include "lsdem/scene/detail/unlikely_values.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
@@ -99,10 +100,6 @@ void read_contact(const JsonReader& object, Scene& scene) {
     if (contact.has("nodes")) {
         scene.contact_nodes = to_choice(contact["nodes"], {"leader", "both"}) == 1 ? ContactNodes::both : ContactNodes::leader;
     }
-    if (contact.has("stiffness")) {
-        const bool per_contact = to_choice(contact["stiffness"], {"per_area", "per_contact"}) == 1;
-        scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
-    }
     // "patch", an old name of overlap, is taken but not offered
     if (contact.has("faces") && contact["faces"].json() != "patch") {
         scene.face_contact = static_cast<FaceContact>(to_choice(contact["faces"], face_contact_names()));
@@ -191,7 +188,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     const Json root = detail::parse_json(json_text, origin.string());
     Scene scene;
     scene.text.origin = origin.string();
-    const detail::SceneRules rules(&scene.text.plain_number);
+    const detail::SceneRules rules(&scene.text);
     const JsonReader object = to_object(JsonReader(root, rules, origin.string() + ": /"), "scene");
     const JsonReader schema = object["schema"];
     if (schema.text() != kSchemaName) {
@@ -218,6 +215,8 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     }
     if (object.has("output")) detail::read_fields(to_object(object["output"], "output"), scene.output);
     check_scene(scene, origin.string());
+    const std::vector<std::string> unlikely = detail::find_unlikely_values(scene);
+    scene.text.remarks.insert(scene.text.remarks.end(), unlikely.begin(), unlikely.end());
     drop_idle_settings(scene);
     return scene;
 }

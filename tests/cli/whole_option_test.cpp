@@ -26,7 +26,7 @@ void visit_options(const CLI::App& app, const std::string& command, const std::f
     }
 }
 
-/// What an option says of a value, given as often as it wants values; empty when it is taken.
+/// Words of an option on a value, given as often as it wants values; empty when it is taken.
 std::string give(CLI::Option& option, const std::string& value) {
     option.clear();
     for (int i = 0; i < std::max(1, option.get_items_expected_min()); ++i) option.add_result(std::string(value));

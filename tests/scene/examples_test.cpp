@@ -214,7 +214,7 @@ TEST_CASE("the schema refuses what the parser refuses") {
                               R"([{"op": "replace", "path": "/structure/layers", "value": 1.5}])",
                               R"([{"op": "replace", "path": "/structure/tiling", "value": "ring_13"}])",
                               R"([{"op": "replace", "path": "/base_motion/signal", "value": "sine"}])",
-                              R"([{"op": "replace", "path": "/material", "value": "marble"}])",
+                              R"([{"op": "replace", "path": "/material", "value": "basalt"}])",
                               R"([{"op": "replace", "path": "/time", "value": {"step": "auto"}}])"}) {
         CAPTURE(patch);
         const json bad = good.patch(json::parse(patch));

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <set>
 #include <system_error>
 
+#include "lsdem/scene/detail/absent_features.hpp"
 #include "scaling/json_text.hpp"
 #include "scaling/nearest_name.hpp"
+#include "scaling/number.hpp"
+#include "scaling/quantity_text.hpp"
 #include "scaling/regular_file.hpp"
 #include "scaling/shorten.hpp"
 
@@ -29,6 +33,26 @@ std::string reason(const nlohmann::json::parse_error& error) {
     const std::string message = error.what();
     const std::size_t start = message.find(": ");
     return start == std::string::npos ? message : message.substr(start + 2);
+}
+
+/// A quantity in JSON that has no unit.
+std::optional<double> find_plain_number(const Json& value) {
+    if (value.is_number()) return value.get<double>();
+    if (!value.is_string()) return std::nullopt;
+    try {
+        return scaling::parse_number(value.get_ref<const std::string&>());
+    } catch (const scaling::ParseError&) {
+        return std::nullopt;
+    }
+}
+
+/// A weight per volume [N/m³], which has the dimension of a stiffness per area.
+std::optional<double> find_unit_weight(const std::string& text) {
+    try {
+        return scaling::parse_si(text, scaling::dimension_of<scaling::StiffnessPerArea>());
+    } catch (const scaling::ParseError&) {
+        return std::nullopt;
+    }
 }
 
 /// Refuses a key that an object already has: the parser would silently keep the last one.
@@ -85,10 +109,34 @@ Json parse_json(std::string_view text, const std::string& origin) {
 
 void fail(const JsonPlace& place, const std::string& message) { throw SceneError(fmt::format("{}: {}", place.text, message)); }
 
+std::string SceneRules::unknown(const std::string& place, const std::string& key, const std::vector<std::string>& known) const {
+    if (place.ends_with("/contact") && key == "stiffness") {
+        return fmt::format(
+            "{}: is no option any more (shared per contact, by the nodes that touch, the stiffness of a face has no potential, and runs "
+            "diverge: docs/theory/surface_nodes.md); leave it out, faces share theirs by area",
+            at(place, key));
+    }
+    const std::optional<std::string> absent = describe_absent_feature(key);
+    // a known key that is spelled like it and is of the same matter was meant
+    if (!absent || describe_absent_feature(scaling::find_nearest_name(key, known))) return JsonRules::unknown(place, key, known);
+    return fmt::format("{}: unknown key \"{}\": {}", at(place, key), key, *absent);
+}
+
 double SceneRules::to_si(const scaling::JsonReader& value, scaling::Dimension dimension, std::string_view part) const {
     // zero is the same in every unit
-    if (plain_number_ != nullptr && plain_number_->empty() && value.json().is_number() && value.json() != 0) {
-        *plain_number_ = value.place().substr(value.place().find(": /") + 2);
+    const std::optional<double> plain = find_plain_number(value.json());
+    if (text_ != nullptr && text_->plain_number.empty() && plain.value_or(0.0) != 0.0) {
+        text_->plain_number = value.place().substr(value.place().find(": /") + 2);
+    }
+    if (dimension == scaling::dimension_of<scaling::Density>() && !plain && value.json().is_string()) {
+        if (const std::optional<double> weight = find_unit_weight(value.text())) {
+            const double density = *weight / scaling::kStandardGravity.value();
+            if (text_ != nullptr) {
+                text_->notes.push_back(fmt::format("{}: a unit weight, taken as {:.6g} kg/m^3 (over standard gravity, 9.80665 m/s^2)",
+                                                   value.place(), density));
+            }
+            return density;
+        }
     }
     return JsonRules::to_si(value, dimension, part);
 }

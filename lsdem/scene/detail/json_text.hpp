@@ -26,14 +26,17 @@ Json parse_json(std::string_view text, const std::string& origin);
 /// Scenes and materials: SceneError.
 class SceneRules final : public scaling::JsonRules {
   public:
-    /// `plain_number` takes the JSON path of the first quantity that is a number without a unit.
-    explicit SceneRules(std::string* plain_number = nullptr) : plain_number_(plain_number) {}
+    /// `text` takes the JSON path of the first quantity that is a number without a unit, and notes on unit weights.
+    explicit SceneRules(SceneText* text = nullptr) : text_(text) {}
 
     void raise(const std::string& message) const override { throw SceneError(message); }
+    /// Says of a key that is unknown what musim has not, where that is what it asks for.
+    std::string unknown(const std::string& place, const std::string& key, const std::vector<std::string>& known) const override;
+    /// A density may be a unit weight γ: ρ = γ/g with standard gravity, whatever the scene's, since tables of unit weights mean that.
     double to_si(const scaling::JsonReader& value, scaling::Dimension dimension, std::string_view part) const override;
 
   private:
-    std::string* plain_number_;
+    SceneText* text_;
 };
 
 /// An object whose keys are all of a known kind (scene_keys), and whose comment, if it has one, is text.

@@ -40,17 +40,25 @@ TEST_CASE("calibrate stiffness finds the stiffness of a target speed and writes 
     CHECK(solid.json()["directions"][1]["search"]["target_m_s"].get<double>() == doctest::Approx(std::sqrt(1.28e9 / 800.0)));
 }
 
-TEST_CASE("calibrate presets lists every preset with source and camera step") {
+TEST_CASE("calibrate presets lists every preset with its source, and the camera step of those of the papers") {
     const Workplace place;
     const Outcome listed = place.run("calibrate presets --json");
     REQUIRE(listed.exit_code == 0);
     const auto presets = listed.json()["presets"];
-    REQUIRE(presets.size() == 5);
+    REQUIRE(presets.size() == 8);
     CHECK(presets[0]["name"] == "wood");
+    CHECK(presets[5]["name"] == "granite");
     // 1/4800 s over 20
     CHECK(presets[0]["camera_step_s"].get<double>() == doctest::Approx(10.416667e-6).epsilon(1e-7));
     CHECK(presets[1]["camera_step_s"].get<double>() == doctest::Approx(14.705882e-6).epsilon(1e-7));
-    CHECK(place.run("calibrate presets").out.find("Table 3") != std::string::npos);
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        CHECK(presets[i]["camera_step_s"].is_null() == (i >= 5));
+        CHECK(presets[i]["length_scale"].is_null() == (i >= 5));
+        CHECK(presets[i]["source"].get<std::string>().size() > 20);
+    }
+    const std::string text = place.run("calibrate presets").out;
+    CHECK(text.find("Table 3") != std::string::npos);
+    CHECK(text.find("Barton and Choubey 1977") != std::string::npos);
 }
 
 TEST_CASE("calibrate refuses what cannot be, in one line") {

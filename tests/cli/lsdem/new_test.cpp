@@ -25,6 +25,40 @@ TEST_CASE("a new scene of every kind is written or printed and runs at once") {
     }
 }
 
+TEST_CASE("a new scene is of a material of a file, on the block that it was measured on or fitted to another") {
+    const Workplace here;
+    here.write("mine.json", R"({"schema": "musim-material/1", "name": "my stone", "block": ["50 mm", "0.1 m", "0.2 m"],
+        "material": {"density": "23 kN/m^3", "normal_stiffness": "900 MN/m", "shear_stiffness": "400 MN/m", "friction": 0.6,
+        "restitution": 0.4}})");
+    const auto make = [&](const std::string& more) {
+        const Outcome made = here.run("new column --material " + more);
+        REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+        return made.json();
+    };
+    const auto own = make("mine.json");
+    CHECK(own["name"].get<std::string>().starts_with("column of my stone blocks, 1:21.25"));  // 4.25 m over 0.2 m
+    CHECK(own["structure"]["block"][0] == "50 mm");
+    CHECK(own["material"]["normal_stiffness"] == "900 MN/m");
+    CHECK(own["material"]["density"] == "2345.347 kg/m^3");  // 23 kN/m^3 over 9.80665 m/s^2
+    // k goes with A/H: twice the block is twice as stiff
+    CHECK(make("mine.json --block '0.1 m' '0.2 m' '0.4 m'")["material"]["normal_stiffness"] == "1800 MN/m");
+    // E A/H = 58.6 GPa x 0.2 m x 0.6 m/0.3 m
+    CHECK(make("granite --block '0.2 m' '0.6 m' '0.3 m'")["material"]["normal_stiffness"] == "23440 MN/m");
+    CHECK(make("granite")["structure"]["block"][2] == "4.25 m");
+    for (const auto& [text, message] :
+         {std::pair{R"({"schema": "musim-material/1", "block": [1, 1, 1]})", "\"material\" is missing"},
+          {R"({"schema": "musim-material/1", "block": [1, 0, 1], "material": "wood"})", "not longer than zero"},
+          {R"({"schema": "musim-material/1", "block": [1, 1, 1], "material": {"cohesion": 1}})", "musim has no"},
+          {"{", "not valid JSON"}}) {
+        here.write("bad.json", text);
+        const Outcome refused = here.run("new column --material bad.json");
+        CHECK(refused.exit_code == 3);
+        CHECK_MESSAGE(refused.has_one_error_line(), refused.err);
+        CHECK_MESSAGE(refused.err.find(std::string("bad.json")) != std::string::npos, refused.err);
+        CHECK_MESSAGE(refused.err.find(message) != std::string::npos, refused.err);
+    }
+}
+
 TEST_CASE("a file that exists is not replaced by a new scene unless asked") {
     const Workplace here;
     here.write("mine.json", "my work");
@@ -98,7 +132,8 @@ TEST_CASE("what a new scene cannot be is refused in one line") {
     };
     for (const Case& wrong :
          {Case{"new", 2, "kind is required"}, Case{"new towr", 2, "did you mean \"tower\"?"}, Case{"new tower --layers 0", 2, "--layers"},
-          Case{"new tower --length 0", 2, "--length"}, Case{"new tower --material stone", 2, "--material"},
+          Case{"new tower --length 0", 2, "--length"},
+          Case{"new tower --material stone", 3, "\"stone\" is neither a known material nor a file"},
           Case{"new tower --component x=1", 2, "--record"}, Case{"new tower --record lost.v1", 3, "lost.v1"},
           Case{"new tower --block 1cm 2cm", 2, "--block"}, Case{"new tower --block 1cm 2cm 3kg", 2, "a length is wanted"},
           Case{"new tower --block 1cm 2cm 0m", 2, "not above zero"}, Case{"new tower --block 1 2 3", 2, "the unit is missing"},
