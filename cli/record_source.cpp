@@ -3,10 +3,12 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <cstdint>
 
 #include "cli/files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/whole_option.hpp"
 #include "lsdem/run/use_record.hpp"
 #include "records/synthesis/synthetic.hpp"
 
@@ -47,7 +49,7 @@ lsdem::AxisComponents parse_components(const std::vector<std::string>& texts) {
 }  // namespace
 
 void TextRecordOptions::add_to(CLI::App& command, CLI::Option* file) {
-    constexpr int kMostLines = 1'000'000'000;  // more than a file of the largest size that is read can have
+    constexpr std::uint64_t kMostLines = 1'000'000'000;  // more than a file of the largest size that is read can have
     CLI::Option* const options[] = {
         command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER")->check(above_zero()),
         command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")
@@ -58,9 +60,8 @@ void TextRecordOptions::add_to(CLI::App& command, CLI::Option* file) {
                         "Columns of a plain text file, counted from 1 or by their titles, e.g. time=2,x=3 (default: as its titles say)")
             ->type_name("NAME=COLUMN,...")
             ->check(CLI::Validator(check_columns, "")),
-        command.add_option("--skip", skip, "Lines at the beginning of a text file that are not read")
-            ->type_name("LINES")
-            ->check(whole_between(0, kMostLines)),
+        add_whole_option(command, "--skip", skip, "Lines at the beginning of a text file that are not read", {0, kMostLines})
+            ->type_name("LINES"),
     };
     for (CLI::Option* const option : options)
         if (file != nullptr) option->needs(file);

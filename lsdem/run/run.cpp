@@ -31,7 +31,8 @@ bool base_moves(const Scene& scene) { return !scene.motions.empty() || !std::hol
 /// Steps that a double counts one by one, and samples of which histories are some hundred gigabytes.
 constexpr double kMostSteps = 0x1p53, kMostSamples = 1e9;
 
-/// Time in which a specimen by nodes comes to rest anew before its run, over 1/α: uneven walls of 3 and 6 layers. For the progress alone [-].
+/// Time in which a specimen by nodes comes to rest anew before its run, over 1/α: uneven walls of 3 and 6 layers. For the progress alone
+/// [-].
 constexpr double kSettlesAgain = 1.25;
 
 /// Nearest whole number, one at least and kMostSteps at most.
