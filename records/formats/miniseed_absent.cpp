@@ -5,7 +5,7 @@
 #include "records/formats/detail/station_xml.hpp"
 #include "records/formats/write_record.hpp"
 
-/// Of a build without libmseed or pugixml.
+/// Stands in a build without libmseed or pugixml.
 namespace musim::records {
 namespace {
 

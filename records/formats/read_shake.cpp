@@ -144,7 +144,7 @@ void refuse_rows_in_header(const TextFile& file, const ColumnLayout& layout) {
     }
 }
 
-/// What the header says beside its text.
+/// Numbers and unit in the text of the header.
 struct ShakeHeader {
     std::optional<double> step = {};  ///< [s]
     std::optional<std::size_t> count = {};

@@ -3,7 +3,7 @@
 
 namespace musim::records::detail {
 
-/// Of a build without libzip.
+/// Stands in a build without libzip.
 NamedBytes unzip(const NamedBytes& packed, std::size_t /*largest*/) {
     BinaryFile(packed.path, {})
         .fail("is a zip file, which this build of musim does not unpack", "unpack it first, or build musim where Debian's libzip-dev is");

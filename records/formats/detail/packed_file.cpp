@@ -22,7 +22,7 @@ constexpr std::string_view kEmptyZip = "PK\5\6";
 
 bool is_zip(std::string_view bytes) { return bytes.starts_with(kZip) || bytes.starts_with(kEmptyZip); }
 
-/// What is packed otherwise, by its first bytes.
+/// Archive of another kind, by its first bytes.
 struct OtherArchive {
     std::string_view start;
     std::string_view name;
