@@ -76,17 +76,33 @@ records::ReadOptions TextRecordOptions::read_options() const {
     return options;
 }
 
-void RecordSourceOptions::add_to(CLI::App& command) {
-    text.add_to(command);
-    command
-        .add_option("--quantity", quantity,
-                    "What a text file holds, or which series to take of a file with several: acceleration, velocity or displacement")
-        ->type_name("NAME")
-        ->check(CLI::Validator(check_quantity, ""));
-    command.add_option("--sensitivity", sensitivity, "Of miniSEED counts: counts per m/s^2 (or m/s, m, as the instrument has it)")
-        ->type_name("NUMBER")
-        ->check(above_zero());
-    command.add_option("--station-xml", station_xml, "StationXML file that gives the sensitivity of miniSEED counts")->type_name("FILE");
+void RecordSourceOptions::add_to(CLI::App& command, CLI::Option* file) {
+    text.add_to(command, file);
+    CLI::Option* const options[] = {
+        command
+            .add_option("--quantity", quantity,
+                        "What a text file or counts are, or which series to take of a file with several: acceleration, velocity or "
+                        "displacement")
+            ->type_name("NAME")
+            ->check(CLI::Validator(check_quantity, "")),
+        command
+            .add_option(
+                "--sensitivity", sensitivity,
+                "Of counts (miniSEED, SLIST, TSPAIR): counts per m/s^2 (or m/s, m, as the instrument has it); 1 where samples are SI")
+            ->type_name("NUMBER")
+            ->check(above_zero()),
+        command.add_option("--station-xml", station_xml, "StationXML file that gives the sensitivity of counts")->type_name("FILE"),
+    };
+    for (CLI::Option* const option : options)
+        if (file != nullptr) option->needs(file);
+}
+
+records::ReadOptions RecordSourceOptions::read_options() const {
+    records::ReadOptions options = text.read_options();
+    if (sensitivity) options.sensitivity = sensitivity->value;
+    if (!station_xml.empty()) options.station_xml = station_xml;
+    if (quantity) options.quantity = records::find_sample_quantity(*quantity);
+    return options;
 }
 
 std::vector<std::string> RecordSourceOptions::find_files(std::vector<std::string> sources) const {
@@ -97,11 +113,7 @@ std::vector<std::string> RecordSourceOptions::find_files(std::vector<std::string
 
 records::GroundMotion RecordSourceOptions::load(const std::string& source) const {
     if (source == kBuiltInRecord) return records::make_synthetic_record();
-    records::ReadOptions options = text.read_options();
-    if (sensitivity) options.sensitivity = sensitivity->value;
-    if (!station_xml.empty()) options.station_xml = station_xml;
-    if (quantity) options.quantity = records::find_sample_quantity(*quantity);
-    records::GroundMotion motion = records::read_record(source, options);
+    records::GroundMotion motion = records::read_record(source, read_options());
     for (const std::string& line : motion.history) {
         if (line.find(records::kUnitNotGiven) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");
         if (line.starts_with(records::kReadingNote)) note_at_end("musim: " + line);
@@ -118,11 +130,11 @@ void RecordMotionOptions::add_to(CLI::App& command, const std::string& help) {
     command.add_option("--component", components, "Component along an axis, e.g. x=360 (default: the strongest horizontal along x)")
         ->type_name("AXIS=NAME")
         ->needs(option);
-    text.add_to(command, option);
+    source.add_to(command, option);
 }
 
 void RecordMotionOptions::apply(lsdem::Scene& scene) const {
-    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components), text.read_options());
+    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components), source.read_options());
     for (const std::string& line : steps) note("{}: {}\n", record, line);
 }
 

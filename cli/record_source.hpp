@@ -31,7 +31,10 @@ struct RecordSourceOptions {
     std::optional<Number> sensitivity;
     std::string station_xml;
 
-    void add_to(CLI::App& command);
+    /// Adds the options, each of which needs `file` where that is an option.
+    void add_to(CLI::App& command, CLI::Option* file = nullptr);
+
+    records::ReadOptions read_options() const;
 
     /// The files that loading `sources` reads: those that are not the built-in record, and the StationXML file if one is named.
     std::vector<std::string> find_files(std::vector<std::string> sources) const;
@@ -43,11 +46,11 @@ struct RecordSourceOptions {
     records::GroundMotion load_beside(const std::string& naming_file, const std::string& source) const;
 };
 
-/// A record that shakes a scene, as options --record, --component, and those of text files.
+/// A record that shakes a scene, as options --record, --component, and those of record files.
 struct RecordMotionOptions {
     std::string record;                   ///< file; empty: the scene's own motion stays
     std::vector<std::string> components;  ///< "x=360"
-    TextRecordOptions text;
+    RecordSourceOptions source;
 
     /// Adds the options; `help` says what becomes of the record.
     void add_to(CLI::App& command, const std::string& help);

@@ -39,6 +39,8 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
     source.unit = reading.unit;
     source.quantity = reading.quantity;
     source.dt = reading.dt;
+    source.sensitivity = reading.sensitivity;
+    if (reading.station_xml) source.station_xml = std::filesystem::absolute(*reading.station_xml);
     source.columns = reading.columns;
     source.skip = reading.skipped_lines;
     if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {

@@ -18,8 +18,8 @@ using AxisComponents = std::array<std::optional<std::string>, 3>;
 ///
 /// With no component named, the one with the largest PGA among the horizontal ones (those with an azimuth; all, when no azimuth is known)
 /// goes along x. The window is records::find_strong_motion of the first component used, of an uncorrected record above its initial level;
-/// the high-pass corner is the record's own (0.05 Hz for uncorrected records). Options of plain text files are those that the scene then
-/// names. Returns what was done, one line each. Throws records::ReadError and records::ProcessingError.
+/// the high-pass corner is the record's own (0.05 Hz for uncorrected records). The scene then names the options of reading it. Returns what
+/// was done, one line each. Throws records::ReadError and records::ProcessingError.
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
                                     const records::ReadOptions& reading = {});
 

@@ -102,6 +102,25 @@ TEST_CASE("a new scene of an uncorrected record has the strong motion above the 
     CHECK_MESSAGE(made.err.find("strong motion from 19.8") != std::string::npos, made.err);
 }
 
+TEST_CASE("a new scene of counts says what they are worth, as it was told") {
+    const Workplace here;
+    std::string series = "TIMESERIES XX_ABC__HLE_D, 400 samples, 100 sps, 2020-02-29T12:00:00.000000, SLIST, INTEGER, Counts\n";
+    for (int i = 0; i < 400; ++i) series += fmt::format("{}\n", i < 100 || i > 300 ? 0 : i / 10 % 2 == 0 ? 1000 : -1000);
+    here.write("counts.txt", series);
+    const Outcome refused = here.run("new column --record counts.txt -o column.json");
+    CHECK(refused.exit_code == 3);
+    CHECK_MESSAGE(refused.err.find("(SLIST holds counts); give --station-xml FILE, or --sensitivity NUMBER in counts") != std::string::npos,
+                  refused.err);
+
+    const Outcome made = here.run("new column --record counts.txt --sensitivity 2000 --quantity acceleration --length 1 -o column.json");
+    REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+    CHECK_MESSAGE(made.err.find("the record's own peak 0.05099 g") != std::string::npos, made.err);
+    const auto motion = nlohmann::json::parse(here.read("column.json"))["base_motion"];
+    CHECK(motion["sensitivity"] == 2000.0);
+    CHECK(motion["quantity"] == "acceleration");
+    CHECK(here.run("check column.json").err.find("sensitivity") == std::string::npos);
+}
+
 TEST_CASE("a new scene of own blocks has their scale and stiffness") {
     const Workplace here;
     const Outcome made = here.run("new tower --layers 2 --block '6.8 cm' '14.1 cm' '21.25 cm' -o tower.json");
