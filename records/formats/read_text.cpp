@@ -21,7 +21,7 @@ void refuse_unknown_header(const TextFile& file, const TextHeading& heading, con
               {"convert it to PEER AT2, CSMIP V1/V2 or columns of numbers, or give ", Setting::skipped_lines});
 }
 
-/// The first row of a table cannot be told from a line of text with one wrong number.
+/// Refuses a line that begins like a row of the table and holds a wrong number: it is no title.
 void refuse_damaged_first_row(const TextFile& file, const TextTable& table) {
     if (table.header.empty() || table.header.back().is_comment) return;
     const TextLine& last = table.header.back();

@@ -184,7 +184,7 @@ std::optional<Date> parse_date(std::string_view text) {
         constexpr int kFirstYear = 1000;
         if (a >= kFirstYear) return Date{{a, b, c}};
         if (c < kFirstYear) return std::nullopt;
-        // days come first with points; with strokes and hyphens nobody can tell
+        // days come first with points; with strokes and hyphens either may
         if (separator == '.') return Date{{c, b, a}};
         return Date{{c, a > 12 ? b : a, a > 12 ? a : b}, a <= 12 && b <= 12 && a != b};
     }

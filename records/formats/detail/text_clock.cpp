@@ -39,15 +39,15 @@ void check_dt(const TextFile& file, const ReadOptions& options) {
 /// Seconds of one unit of a column of times, by its title, the text above, or its step.
 double find_seconds(const TextFile& file, const TextTable& table, const TextHeading& heading, std::size_t column, double step,
                     const ReadOptions& options) {
-    const std::optional<double> told = options.dt ? std::optional(options.dt->value()) : heading.dt;
-    if (told) {
-        if (const std::optional<double> seconds = find_unit_of(step, *told)) return *seconds;
-        if (is_index_column(table, column)) return *told;
+    const std::optional<double> given = options.dt ? std::optional(options.dt->value()) : heading.dt;
+    if (given) {
+        if (const std::optional<double> seconds = find_unit_of(step, *given)) return *seconds;
+        if (is_index_column(table, column)) return *given;
     }
     if (is_usual(step)) return 1.0;
     const std::string rises = fmt::format("{} rises by {:.6g} a row", place_of(column, heading), step);
-    if (told) {
-        file.fail(heading.titles_line, fmt::format("{} (in no unit of time that is {} s)", rises, *told),
+    if (given) {
+        file.fail(heading.titles_line, fmt::format("{} (in no unit of time that is {} s)", rises, *given),
                   {"correct ", Setting::time_step, " or leave the column out with ", Setting::columns});
     }
     file.fail(table.rows.front().line, rises + " (no unit of time is named, and so many seconds are not usual)",

@@ -242,10 +242,10 @@ class LayoutFinder {
             if (table_->kind(column) == CellKind::instant || is_time_title(column)) times.push_back(column);
         }
         if (times.empty()) return;
-        const auto tells = [&](std::size_t column) { return title(column)->unit.seconds || table_->kind(column) == CellKind::instant; };
+        const auto is_clear = [&](std::size_t column) { return title(column)->unit.seconds || table_->kind(column) == CellKind::instant; };
         const auto numbers =
             std::find_if(times.begin(), times.end(), [&](std::size_t column) { return title(column)->unit.seconds.has_value(); });
-        const auto best = numbers != times.end() ? numbers : std::find_if(times.begin(), times.end(), tells);
+        const auto best = numbers != times.end() ? numbers : std::find_if(times.begin(), times.end(), is_clear);
         layout_.time = best != times.end() ? *best : times.front();
         for (const std::size_t other : times) {
             // each component may have a clock of its own; that of the first holds for all only when they are the same

@@ -57,15 +57,15 @@ class SampleChooser {
     void drop_foreign() {
         const auto is_foreign = [](const CandidateColumn& c) { return !c.title.unit.foreign.empty() || c.title.unit.seconds; };
         const auto is_remark = [](const CandidateColumn& c) { return c.title.is_remark && !c.title.unit.motion; };
-        const auto is_told = [](const CandidateColumn& c) { return c.title.unit.motion.has_value(); };
+        const auto is_given = [](const CandidateColumn& c) { return c.title.unit.motion.has_value(); };
         const auto may_be_motion = [&](const CandidateColumn& c) { return !is_foreign(c) && !is_remark(c); };
-        const bool has_told = std::any_of(candidates_.begin(), candidates_.end(), is_told);
+        const bool has_given = std::any_of(candidates_.begin(), candidates_.end(), is_given);
         const bool has_motion = std::any_of(candidates_.begin(), candidates_.end(), may_be_motion);
         for (const CandidateColumn& candidate : candidates_) {
             if (!is_foreign(candidate)) continue;
             const std::string_view noun = candidate.title.unit.foreign.empty() ? "a time" : candidate.title.unit.foreign;
             const bool may_hold_motion = noun == "a voltage" || noun == "counts" || candidate.title.quantity;
-            if (options_->columns || !has_motion || (may_hold_motion && !has_told && !heading_->stated.motion)) {
+            if (options_->columns || !has_motion || (may_hold_motion && !has_given && !heading_->stated.motion)) {
                 const std::string_view first_advice =
                     may_hold_motion ? "make it a motion by the sensor's sensitivity and name its unit, or choose others with "
                                     : "choose others with ";
@@ -103,11 +103,12 @@ class SampleChooser {
             if (suits) candidate.unit = stated.motion;
             if (!candidate.quantity) candidate.quantity = candidate.unit ? std::optional(candidate.unit->quantity) : stated.quantity;
         }
-        const auto told = std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return c.unit.has_value(); });
-        const auto untold = std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return !c.unit; });
-        if (told != candidates_.end() && untold != candidates_.end() && !asked_unit_ && untold->title.unknown_unit.empty()) {
-            if (untold->quantity && *untold->quantity != told->unit->quantity) return;
-            fail(fmt::format("{} names no unit ({} is in {})", place(*untold), place(*told), told->unit->name),
+        const auto given =
+            std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return c.unit.has_value(); });
+        const auto unnamed = std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return !c.unit; });
+        if (given != candidates_.end() && unnamed != candidates_.end() && !asked_unit_ && unnamed->title.unknown_unit.empty()) {
+            if (unnamed->quantity && *unnamed->quantity != given->unit->quantity) return;
+            fail(fmt::format("{} names no unit ({} is in {})", place(*unnamed), place(*given), given->unit->name),
                  {"give ", Setting::unit, " or choose others with ", Setting::columns});
         }
     }

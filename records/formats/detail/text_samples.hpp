@@ -14,7 +14,7 @@ struct SampleColumn {
     SampleUnit unit;
 };
 
-/// The columns that become components, and what is told of the choice.
+/// The columns that become components, and remarks on the choice.
 struct ChosenSamples {
     std::vector<SampleColumn> columns;    ///< all of one quantity
     bool is_unit_given = true;            ///< false: nobody names a unit, SI is taken

@@ -113,7 +113,7 @@ TEST_CASE("a unit ends a name without brackets") {
     }
 }
 
-TEST_CASE("velocities and displacements are told by their units and words") {
+TEST_CASE("velocities and displacements are known by their units and words") {
     const auto quantity = [](const std::string& header) {
         return read_titled(tests::table(header, {1.0})).components.front().series.quantity();
     };
