@@ -2,27 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "records/measures/intensity.hpp"
 #include "records/processing/cumulative.hpp"
 
 namespace musim::records {
 namespace {
 
-// window, mean, taper and high-pass, each noted
-TimeSeries prepare(TimeSeries series, const BaseMotionSettings& settings, std::vector<std::string>& steps) {
-    if (settings.window) {
-        series = cut(series, *settings.window);
-        steps.push_back(fmt::format("cut to {:.6g} s ... {:.6g} s", series.start().value(), series.end().value()));
-    }
+/// Of the whole series: mean, taper and high-pass, each noted.
+TimeSeries filter_whole(TimeSeries series, const BaseMotionSettings& settings, std::vector<std::string>& steps) {
     if (settings.take_out_mean) {
         series = remove_baseline(series, 0);
         steps.emplace_back("baseline of order 0 removed");
     }
-    if (settings.window || settings.high_pass) {
-        series = taper(series, kDefaultTaper);
-        steps.push_back(fmt::format("cosine taper over {:.6g} of each end", kDefaultTaper));
-    }
     if (settings.high_pass) {
-        series = high_pass(series, *settings.high_pass, 2);
+        series = high_pass(taper(series, kDefaultTaper), *settings.high_pass, 2);
+        steps.push_back(fmt::format("cosine taper over {:.6g} of each end", kDefaultTaper));
         steps.push_back(fmt::format("Butterworth high-pass at {:.6g} Hz, order 2, two passes", settings.high_pass->value()));
     }
     return series;
@@ -34,35 +30,62 @@ TimeSeries to_velocity(const TimeSeries& series) {
     return series;
 }
 
+TimeSeries cut_to(const TimeSeries& series, const std::optional<TimeWindow>& window) { return window ? cut(series, *window) : series; }
+
+/// Velocities counted from the first one.
+TimeSeries count_from_first(const TimeSeries& velocity) {
+    std::vector<double> samples(velocity.samples().begin(), velocity.samples().end());
+    const double initial = samples.front();
+    for (double& sample : samples) sample -= initial;
+    return velocity.with_samples(std::move(samples));
+}
+
+RecordedMotion find_recorded(const TimeSeries& series, const BaseMotionSettings& settings) {
+    const bool is_displacement = series.quantity() == SampleQuantity::displacement;
+    const MotionHistories whole = compute_histories(is_displacement ? differentiate(series) : series, settings.integration_corner);
+    RecordedMotion part{.acceleration = {}, .velocity = cut_to(*whole.velocity, settings.window)};
+    if (whole.acceleration) part.acceleration = cut_to(*whole.acceleration, settings.window);
+    if (settings.at_rest == AtRest::as_given) part.velocity = count_from_first(part.velocity);
+    return part;
+}
+
+/// The velocity less what keeps it from ending at rest.
+TimeSeries end_at_rest(const TimeSeries& velocity, const BaseMotionSettings& settings, std::vector<std::string>& steps) {
+    const double dt = velocity.dt().value();
+    std::vector<double> v(velocity.samples().begin(), velocity.samples().end());
+    const double drift = detail::cumulative_trapezoid(v, dt).back();
+    const bool home = settings.at_rest == AtRest::home;
+    const detail::RestShape shape = settings.window ? detail::RestShape::open : detail::RestShape::faded;
+    const std::vector<double> correction = detail::cumulative_trapezoid(
+        detail::rest_correction(v.size(), dt, v.back(), home ? std::optional(drift) : std::nullopt, shape), dt);
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] -= correction[i];
+    v.back() = 0.0;  // was rounding
+    steps.push_back(home ? fmt::format("ended at rest: {:.3e} m/s and {:.3e} m taken out", correction.back(), drift)
+                         : fmt::format("ended at rest: {:.3e} m/s taken out", correction.back()));
+    return velocity.with_samples(std::move(v));
+}
+
 }  // namespace
 
 BaseMotion make_base_motion(const TimeSeries& series, const BaseMotionSettings& settings) {
     std::vector<std::string> steps;
-    const TimeSeries velocity = to_velocity(prepare(series, settings, steps));
+    const TimeSeries whole = to_velocity(filter_whole(series, settings, steps));
+    if (settings.window) {
+        steps.push_back(fmt::format("cut to {:.6g} s ... {:.6g} s", settings.window->start.value(), settings.window->end.value()));
+    }
+    TimeSeries velocity = count_from_first(cut_to(whole, settings.window));
     constexpr std::size_t kFewestSamples = 4;
     if (velocity.size() < kFewestSamples) {
         throw ProcessingError(fmt::format("{} samples cannot end at rest (at least {} are needed); use a longer record or window",
                                           velocity.size(), kFewestSamples));
     }
-
-    // start from rest, then take out what is left at the end
-    const double dt = velocity.dt().value();
-    std::vector<double> v(velocity.samples().begin(), velocity.samples().end());
-    const double initial = v.front();
-    for (double& value : v) value -= initial;
-    const double drift = detail::cumulative_trapezoid(v, dt).back();
-    const std::vector<double> correction = detail::cumulative_trapezoid(detail::rest_correction(v.size(), dt, v.back(), drift), dt);
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] -= correction[i];
-    v.back() = 0.0;  // was rounding
-    steps.push_back(fmt::format("ended at rest: {:.3e} m/s and {:.3e} m taken out", correction.back(), drift));
-
-    TimeSeries corrected = velocity.with_samples(std::move(v));
-    TimeSeries displacement = integrate(corrected);
-    const scaling::Length residual = displacement.samples().back() * scaling::si::meters;
-    return {std::move(corrected), std::move(displacement), residual, std::move(steps)};
+    if (settings.at_rest != AtRest::as_given) velocity = end_at_rest(velocity, settings, steps);
+    TimeSeries displacement = integrate(velocity);
+    return {std::move(velocity), std::move(displacement), find_recorded(series, settings), std::move(steps)};
 }
 
 BaseMotion make_base_motion(const GroundMotion& motion, std::string_view component, BaseMotionSettings settings) {
+    settings.integration_corner = motion.integration_corner;
     if (!settings.high_pass) settings.high_pass = motion.integration_corner;
     // an uncorrected record has its zero anywhere
     settings.take_out_mean = settings.take_out_mean || motion.integration_corner.has_value();

@@ -15,26 +15,39 @@ struct BaseMotionSettings {
     std::optional<TimeWindow> window = {};             ///< part of the record to use; all of it by default
     bool take_out_mean = false;                        ///< first; high-passed, an offset would ring
     std::optional<scaling::Frequency> high_pass = {};  ///< corner, of order 2 in each of two passes; none by default
+    AtRest at_rest = AtRest::home;
+    /// Corner with which the record's own velocity is integrated, GroundMotion::integration_corner
+    std::optional<scaling::Frequency> integration_corner = {};
 };
 
-/// Taper of a record that is cut or filtered [fraction of its length, each end]. Long enough to hide the cut's jump, short enough to leave
-/// the strong motion alone: PGV of the papers' Ridgecrest record, cut to its strong part, moves by 0.5 % between 0.005 and 0.05.
+/// Taper of a record that is filtered [fraction of its length, each end]. Long enough that the filter does not ring from the ends, short
+/// enough to leave the strong motion alone: PGV of the papers' Ridgecrest record moves by 0.5 % between 0.005 and 0.05.
 inline constexpr double kDefaultTaper = 0.02;
 
-/// Motion of a base that starts and ends at rest.
+/// The part of a record that a base is to make, as compute_histories() has it of the whole record: before any filter but that of an
+/// uncorrected one, and before it was brought to rest. One that is used as given is seen from the base as it begins: its velocity counts
+/// from its first one.
+struct RecordedMotion {
+    std::optional<TimeSeries> acceleration;  ///< nothing of a record of velocities or displacements
+    TimeSeries velocity;
+};
+
+/// Motion of a base.
 struct BaseMotion {
-    TimeSeries velocity;             ///< linear between samples; first and last are exactly zero
+    TimeSeries velocity;             ///< linear between samples; the first is zero, and the last where the base ends at rest
     TimeSeries displacement;         ///< its exact integral from zero
-    scaling::Length residual;        ///< displacement of the last sample: rounding only, below 1e-9 of the largest
+    RecordedMotion record;           ///< on the same clock
     std::vector<std::string> steps;  ///< what was done, in words, for histories and reports
 };
 
-/// Cuts, corrects, tapers, filters and integrates one series to a velocity and a displacement that both end at rest.
+/// Filters, integrates and cuts one series to the velocity and displacement of a base.
 ///
-/// The order is window, mean, taper, high-pass, integration from zero, and a last correction: the acceleration
-/// α τ(1 − τ) + β τ(1 − τ)(1 − 2τ), τ from 0 to 1 over the record, whose integrals carry the final velocity and displacement, is
-/// subtracted. It is zero at both ends and as slow as the record is long. A velocity series is not integrated first; a displacement is
-/// differentiated. Throws ProcessingError as the single steps do, and for fewer than four samples.
+/// The whole record is taken first: mean, taper and high-pass, integration from zero. A window is cut out of that velocity, so that the
+/// record's own velocity at its start is known. Then the velocity is counted from its first value, and what keeps it from ending at rest is
+/// taken out as the integral of an acceleration (detail::rest_correction): of a whole record α τ(1 − τ) + β τ(1 − τ)(1 − 2τ), which is zero
+/// at both ends, as a record's own is; of a window α + β (1 − 2τ), the least in the mean square. τ goes from 0 to 1, β is zero for
+/// AtRest::displaced. A velocity series is not integrated first; a displacement is differentiated. Throws ProcessingError as the single
+/// steps do, and for fewer than four samples.
 BaseMotion make_base_motion(const TimeSeries& series, const BaseMotionSettings& settings = {});
 
 /// The same for a component of a record. An uncorrected one is high-passed at its integration corner, its mean taken out before, unless

@@ -10,12 +10,13 @@ std::vector<double> cumulative_trapezoid(std::span<const double> x, double dt) {
     return y;
 }
 
-std::vector<double> rest_correction(std::size_t size, double dt, double velocity_end, double displacement_end) {
-    std::vector<double> even(size);  // τ(1 − τ)
-    std::vector<double> odd(size);   // τ(1 − τ)(1 − 2τ)
+std::vector<double> rest_correction(std::size_t size, double dt, double velocity_end, std::optional<double> displacement_end,
+                                    RestShape shape) {
+    std::vector<double> even(size);  // w
+    std::vector<double> odd(size);   // w (1 − 2τ)
     for (std::size_t i = 0; i < size; ++i) {
         const double tau = static_cast<double>(i) / static_cast<double>(size - 1);
-        even[i] = tau * (1.0 - tau);
+        even[i] = shape == RestShape::faded ? tau * (1.0 - tau) : 1.0;
         odd[i] = even[i] * (1.0 - 2.0 * tau);
     }
 
@@ -24,19 +25,23 @@ std::vector<double> rest_correction(std::size_t size, double dt, double velocity
     const std::vector<double> odd_velocity = cumulative_trapezoid(odd, 1.0);
     const double even_end = cumulative_trapezoid(even_velocity, 1.0).back();
     const double odd_end = cumulative_trapezoid(odd_velocity, 1.0).back();
-    const double determinant = even_velocity.back() * odd_end - odd_velocity.back() * even_end;
     const double velocity = velocity_end / dt;
-    const double displacement = displacement_end / dt / dt;
-    const double alpha = (velocity * odd_end - odd_velocity.back() * displacement) / determinant;
-    const double beta = (even_velocity.back() * displacement - velocity * even_end) / determinant;
+    double alpha = velocity / even_velocity.back(), beta = 0.0;
+    if (displacement_end) {
+        const double determinant = even_velocity.back() * odd_end - odd_velocity.back() * even_end;
+        const double displacement = *displacement_end / dt / dt;
+        alpha = (velocity * odd_end - odd_velocity.back() * displacement) / determinant;
+        beta = (even_velocity.back() * displacement - velocity * even_end) / determinant;
+    }
 
     for (std::size_t i = 0; i < size; ++i) even[i] = alpha * even[i] + beta * odd[i];
     return even;
 }
 
-std::vector<double> end_at_rest(std::vector<double> acceleration, double dt, double displacement) {
+std::vector<double> end_at_rest(std::vector<double> acceleration, double dt, std::optional<double> displacement) {
     const std::vector<double> velocity = cumulative_trapezoid(acceleration, dt);
-    const double drift = cumulative_trapezoid(velocity, dt).back() - displacement;
+    std::optional<double> drift;
+    if (displacement) drift = cumulative_trapezoid(velocity, dt).back() - *displacement;
     const std::vector<double> correction = rest_correction(acceleration.size(), dt, velocity.back(), drift);
     for (std::size_t i = 0; i < acceleration.size(); ++i) acceleration[i] -= correction[i];
     return acceleration;

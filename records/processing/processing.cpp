@@ -140,15 +140,17 @@ TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time aft
     return {series.quantity(), series.start() - first * series.dt(), series.dt(), std::move(samples)};
 }
 
-TimeSeries bring_to_rest(const TimeSeries& acceleration) {
+TimeSeries bring_to_rest(const TimeSeries& acceleration, AtRest at_rest) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the correction to rest");
     constexpr std::size_t kFewestSamples = 4;
     if (acceleration.size() < kFewestSamples) {
         throw ProcessingError(fmt::format("{} samples cannot end at rest (at least {} are needed); use a longer record",
                                           acceleration.size(), kFewestSamples));
     }
-    return acceleration.with_samples(
-        detail::end_at_rest({acceleration.samples().begin(), acceleration.samples().end()}, acceleration.dt().value()));
+    if (at_rest == AtRest::as_given) return acceleration;
+    return acceleration.with_samples(detail::end_at_rest({acceleration.samples().begin(), acceleration.samples().end()},
+                                                         acceleration.dt().value(),
+                                                         at_rest == AtRest::home ? std::optional(0.0) : std::nullopt));
 }
 
 TimeSeries integrate(const TimeSeries& series) {

@@ -6,6 +6,13 @@
 /// a record scaled by factors that are powers of two gives the scaled result to the last bit. All throw ProcessingError.
 namespace musim::records {
 
+/// How the motion of a base begins and ends.
+enum class AtRest {
+    home,       ///< at rest, and ends where it began
+    displaced,  ///< at rest, wherever it ends
+    as_given    ///< as the record says: base and what stands on it begin together, at rest on each other; the last velocity is kept
+};
+
 /// A stretch of a record's own time.
 struct TimeWindow {
     scaling::Time start;
@@ -45,10 +52,10 @@ TimeSeries high_pass(const TimeSeries& series, scaling::Frequency corner, int or
 /// Zeros before and after the record, for so long; the samples keep their times. Throws for a negative time and for more than 10^8 samples.
 TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time after);
 
-/// Takes out what keeps an acceleration, integrated by trapezoids from zero, from ending with zero velocity and displacement: two shapes as
-/// long as the record, zero at both ends (docs/theory/records.md, "Ending at rest"). Throws for another quantity and fewer than four
-/// samples.
-TimeSeries bring_to_rest(const TimeSeries& acceleration);
+/// Takes out what keeps an acceleration, integrated by trapezoids from zero, from ending with zero velocity and, for AtRest::home, zero
+/// displacement: shapes as long as the record, zero at both ends (docs/theory/records.md, "Ending at rest"). AtRest::as_given leaves it.
+/// Throws for another quantity and fewer than four samples.
+TimeSeries bring_to_rest(const TimeSeries& acceleration, AtRest at_rest = AtRest::home);
 
 /// Trapezoid integral from zero: acceleration → velocity, velocity → displacement. Throws for a displacement.
 /// For a piecewise linear velocity (what simulations prescribe) the displacement is exact.

@@ -50,8 +50,11 @@ struct Either {
 /// Gives a visitor the settings of a step: reading, writing and rescaling are what it does with them.
 template <class Visitor>
 void describe(Step& step, Visitor&& visit) {
-    std::visit(Overloaded{[](auto&) {}, [&](step::Baseline& s) { visit("order", s.order); },
-                          [&](step::Taper& s) { visit("fraction", s.fraction); },
+    std::visit(Overloaded{[](auto&) {},
+                          [&](step::Rest& s) {
+                              visit("end", Either<bool>{s.displaced, {"home", "displaced"}});
+                          },
+                          [&](step::Baseline& s) { visit("order", s.order); }, [&](step::Taper& s) { visit("fraction", s.fraction); },
                           [&](step::Pad& s) { visit("before", s.before), visit("after", s.after); },
                           [&](step::Cut& s) { visit("window", s.window); },
                           [&](step::EnergyWindow& s) { visit("from", s.from), visit("to", s.to), visit("margin", s.margin); },
@@ -196,7 +199,10 @@ GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
     return std::visit(
         Overloaded{
             [&](const step::Align&) { return align(motion); }, [&](const step::Level&) { return level(motion); },
-            [&](const step::Rest&) { return for_each(motion, bring_to_rest); },
+            [&](const step::Rest& s) {
+                const AtRest at_rest = s.displaced ? AtRest::displaced : AtRest::home;
+                return for_each(motion, [&](const TimeSeries& series) { return bring_to_rest(series, at_rest); });
+            },
             [&](const step::Differentiate&) { return for_each(motion, differentiate); },
             [&](const step::Baseline& s) {
                 return for_each(motion, [&](const TimeSeries& series) { return remove_baseline(series, s.order); });

@@ -18,7 +18,9 @@ namespace musim::records {
 namespace step {
 struct Align {};
 struct Level {};
-struct Rest {};
+struct Rest {
+    bool displaced = false;  ///< at its end; else where it began
+};
 struct Differentiate {};
 struct Baseline {
     int order = 1;

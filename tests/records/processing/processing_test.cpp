@@ -7,7 +7,6 @@
 #include <numbers>
 #include <random>
 
-#include "records/processing/base_motion.hpp"
 #include "records/processing/processing.hpp"
 #include "tests/support/relative.hpp"
 
@@ -190,59 +189,6 @@ TEST_CASE("the strong motion is where the energy is") {
     CHECK(window.start.value() == relative(5.9, 0.01));
     CHECK(window.end.value() == relative(7.1, 0.01));
     CHECK_THROWS_AS(find_strong_motion(make_series({0.0, 0.0, 0.0})), ProcessingError);
-}
-
-TEST_CASE("a base motion starts and ends at rest whatever the record") {
-    for (const SampleQuantity quantity : {SampleQuantity::acceleration, SampleQuantity::velocity, SampleQuantity::displacement}) {
-        CAPTURE(to_string(quantity));
-        std::vector<double> samples = random_samples(3000, 4);
-        for (double& sample : samples) sample += 0.3;  // a bad offset
-        const BaseMotion base = make_base_motion(make_series(std::move(samples), 0.01, quantity));
-
-        CHECK(base.velocity.quantity() == SampleQuantity::velocity);
-        CHECK(base.velocity.samples().front() == 0.0);
-        CHECK(base.velocity.samples().back() == 0.0);
-        CHECK(base.displacement.samples().front() == 0.0);
-        CHECK(base.displacement.samples().back() == base.residual.value());
-        CHECK(std::abs(base.residual.value()) < 1e-11 * largest(base.displacement.samples()));
-        CHECK(base.displacement == integrate(base.velocity));
-        CHECK_FALSE(base.steps.empty());
-    }
-    CHECK_THROWS_AS(make_base_motion(make_series({1.0, 2.0, 3.0})), ProcessingError);
-}
-
-TEST_CASE("a motion that already ends at rest is left as it is") {
-    // v = sin² over the record: at rest at both ends; its displacement is not, so take the full period of an odd velocity
-    std::vector<double> velocity;
-    for (int i = 0; i <= 1000; ++i) velocity.push_back(std::sin(2.0 * pi * i / 1000.0) * std::sin(pi * i / 1000.0));
-    const TimeSeries series = make_series(velocity, 0.01, SampleQuantity::velocity);
-
-    const BaseMotion base = make_base_motion(series);
-
-    double difference = 0.0;
-    for (std::size_t i = 0; i < velocity.size(); ++i) difference = std::max(difference, std::abs(base.velocity.samples()[i] - velocity[i]));
-    CHECK(difference < 1e-12);
-}
-
-TEST_CASE("the base motion of a record scaled by powers of two is the scaled base motion, bit for bit") {
-    // λ_l = 1/16: times by 1/4, accelerations by 1, velocities by 1/4, lengths by 1/16
-    const std::vector<double> samples = random_samples(2000, 5);
-    const TimeSeries prototype = make_series(samples, 0.005);
-    const TimeSeries model = make_series(samples, 0.005 / 4.0);
-
-    const BaseMotion full =
-        make_base_motion(prototype, {.window = TimeWindow{1.0 * seconds, 9.0 * seconds}, .take_out_mean = true, .high_pass = 0.3 * hertz});
-    const BaseMotion small =
-        make_base_motion(model, {.window = TimeWindow{0.25 * seconds, 2.25 * seconds}, .take_out_mean = true, .high_pass = 1.2 * hertz});
-
-    REQUIRE(full.velocity.size() == small.velocity.size());
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < full.velocity.size(); ++i) {
-        different += full.velocity.samples()[i] != 4.0 * small.velocity.samples()[i] ? 1U : 0U;
-        different += full.displacement.samples()[i] != 16.0 * small.displacement.samples()[i] ? 1U : 0U;
-    }
-    CHECK(different == 0);
-    CHECK(largest(full.velocity.samples()) > 0.0);
 }
 
 }  // namespace
