@@ -49,11 +49,12 @@ struct MaterialPair {
     }
 };
 
-/// Source of a component of the base's motion; for results, the kernel does not use it.
+/// Source of a component of the base's motion; for results, the kernel does not use it. A record has samples at the times of the
+/// component's, a formula a peak.
 struct MotionSource {
-    double peak_acceleration = 0.0;  ///< PGA of the whole record, or of the formula [m/s²]; 0: none, or not known
-    bool is_record = false;          ///< else a formula of the scene
-    bool is_processed = false;       ///< the record was cut or filtered
+    std::vector<double> velocity;      ///< of the record, before it was filtered and brought to rest [m/s]; empty: of no record
+    std::vector<double> acceleration;  ///< likewise [m/s²]; empty: the record has none
+    double peak_acceleration = 0.0;    ///< PGA of the formula [m/s²]; 0: none, or not known
 };
 
 /// Prescribed velocity of the base along one world axis: samples v_k at t_k = start + k·dt, linear in between, so that the acceleration

@@ -50,7 +50,7 @@ void print_losses(const lsdem::Damage& damage) {
 
 void print_response(const lsdem::Response& r) {
     print("{}: motion along {}, {}\n", lsdem::to_string(r.status), lsdem::axis_name(r.axis),
-          lsdem::describe_pga(r.pga[r.axis], r.source_pga[static_cast<std::size_t>(r.axis)]));
+          lsdem::describe_base(r.pga[r.axis], r.base_changes[static_cast<std::size_t>(r.axis)]));
     if (r.collapsed_before) {
         print("  collapsed while it was prepared; the motion was not run\n");
     } else if (r.collapse_time) {

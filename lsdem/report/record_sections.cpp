@@ -79,14 +79,16 @@ void name_peak(records::ComponentCurves& curves, const ReportedRun& reported, co
     if (peak > 0.0) curves.intensity.pga->value = scaling::Acceleration::from_value(peak);
 }
 
-/// One line for each axis whose PGA is not that of its record or formula.
-std::string make_pga_notes(const ReportedRun& reported) {
+/// One line for each axis that a record moves, and for one whose PGA is not that of its formula.
+std::string make_change_notes(const ReportedRun& reported) {
     std::string html;
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         const double pga = reported.run.peak_base_acceleration[static_cast<int>(axis)];
-        const SourcePga& source = reported.run.source_pga[axis];
-        if (!source.differs_from(pga)) continue;
-        html += make_statement(Tone::note, fmt::format("{} along {}: {}", reported.label, kAxes[axis], describe_pga(pga, source)));
+        const std::optional<BaseChange>& change = reported.run.base_changes[axis];
+        const std::string text = describe_base(pga, change);
+        if (!change || text.find('(') == std::string::npos) continue;
+        const bool is_changed = change->of_record && change->peaks.is_changed();
+        html += make_statement(is_changed ? Tone::warning : Tone::note, fmt::format("{} along {}: {}", reported.label, kAxes[axis], text));
     }
     return html;
 }
@@ -150,7 +152,7 @@ std::optional<ReportSection> make_base_motion_section(const ReportContent& conte
     ReportSection section{.id = "base", .title = "Base motion"};
     for (const ReportedRun& run : content.runs) {
         if (make_motion(run, ModelScales{}).components.empty()) continue;
-        section.html += make_pga_notes(run);
+        section.html += make_change_notes(run);
         section.figures.push_back(make_base_figure(run, find_scales(run), section.figures.size() + 1));
     }
     if (section.figures.empty()) return std::nullopt;

@@ -140,7 +140,7 @@ Response measure_response(const StoredRun& run, const ResponseSettings& settings
     Response response;
     response.axis = settings.axis.value_or(find_strongest_axis(run.history));
     response.pga = run.peak_base_acceleration;
-    response.source_pga = run.source_pga;
+    response.base_changes = run.base_changes;
     response.scales = find_scales(run, response.axis);
     const auto samples = find_samples(run, settings);
     double base_peak = 0.0;
@@ -182,7 +182,7 @@ nlohmann::json to_json(const Response& response) {
             {"failure", response.failure ? to_json(*response.failure) : nlohmann::json()},
             {"axis", axis_name(response.axis)},
             {"pga_g", to_array(response.pga / scaling::kStandardGravity.value())},
-            {"pga_source", to_json(response.source_pga)},
+            {"base_changes", to_json(response.base_changes)},
             {"speeds", speeds},
             {"elastic_speed_m_s", response.scales.elastic_speed},
             {"sliding_speed_m_s", response.scales.sliding_speed()},

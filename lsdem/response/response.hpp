@@ -35,9 +35,9 @@ struct SpeedScales {
 
 struct Response {
     int axis = 0;
-    Vector3 pga = Vector3::Zero();             ///< see RunResult::peak_base_acceleration [m/s²]
-    std::array<SourcePga, 3> source_pga = {};  ///< of what the base's motion was made from
-    std::vector<SpeedEstimate> speeds;         ///< none faster than elastic waves, see `why`; empty: the run has one sample
+    Vector3 pga = Vector3::Zero();      ///< see RunResult::peak_base_acceleration [m/s²]
+    BaseChanges base_changes;           ///< of the base's motion against what it was made from
+    std::vector<SpeedEstimate> speeds;  ///< none faster than elastic waves, see `why`; empty: the run has one sample
     SpeedScales scales;
     std::vector<SpineLevel> spine;
     Damage damage;

@@ -55,12 +55,23 @@ static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacemen
 
 static void exchange(Archive& archive, StageOrigin& o) { archive(o.stage, o.time, o.base, o.position, o.orientation); }
 
-static void exchange(Archive& archive, SourcePga& p) { archive(p.acceleration, p.is_record, p.why); }
+template <class Quantity>
+requires scaling::QuantityWithUnit<Quantity>
+static void exchange(Archive& archive, Quantity& q) {
+    double value = q.value();
+    archive(value);
+    q = Quantity::from_value(value);
+}
+
+static void exchange(Archive& archive, BaseChange& c) {
+    for (records::MotionPeaks* p : {&c.peaks.record, &c.peaks.base, &c.peaks.difference}) archive(p->pga, p->pgv, p->pgd);
+    archive(c.of_record);
+}
 
 static void exchange(Archive& archive, RunResult& r) {
     archive(r.status, r.collapse_time, r.origin, r.rest, r.steps, r.initial, r.history, r.frames, r.falls, r.final, r.statistics, r.losses);
     archive(r.state_hash, r.energy_closure, r.start_reaction_over_weight, r.base_reaction_over_weight, r.peak_base_acceleration,
-            r.source_pga, r.wall_time);
+            r.base_changes, r.wall_time);
 }
 
 static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.checks_at_rest, s.liveliest); }

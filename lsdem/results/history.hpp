@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lsdem/motion/simulation.hpp"
+#include "lsdem/results/base_change.hpp"
 #include "lsdem/results/rest.hpp"
-#include "lsdem/results/source_pga.hpp"
 #include "lsdem/scene/spine.hpp"
 #include "lsdem/types.hpp"
 #include "scaling/laws/similitude.hpp"
@@ -103,7 +103,7 @@ struct RunData {
     std::optional<Losses> losses;                      ///< where energy was dissipated since the start [J]; likewise
     std::string state_hash;                            ///< of the final state
     Vector3 peak_base_acceleration = Vector3::Zero();  ///< PGA of each component of the motion that the base was given, absolute [m/s²]
-    std::array<SourcePga, 3> source_pga = {};          ///< likewise, of what that motion was made from
+    BaseChanges base_changes;                          ///< of that motion, against what it was made from
     scaling::Similitude similitude;                    ///< of the run to its prototype; of one that is no model every factor is 1
 
     /// Did the structure collapse while it was prepared (Rest::collapsed), so that it was not shaken?

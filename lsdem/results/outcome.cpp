@@ -81,7 +81,7 @@ Outcome find_outcome(const RunResult& run) {
     Outcome outcome;
     outcome.axis = find_strongest_axis(run.history);
     outcome.pga = run.peak_base_acceleration;
-    outcome.source_pga = run.source_pga;
+    outcome.base_changes = run.base_changes;
     for (const BaseState& base : run.history.base) outcome.pgv = outcome.pgv.cwiseMax(base.velocity.cwiseAbs());
     outcome.shaken = !run.collapsed_before();
     measure_spine(run, outcome);
@@ -101,7 +101,10 @@ Outcome find_outcome(const RunResult& run) {
 Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
     const double horizontal = similitude.acceleration(), vertical = similitude.acceleration_vertical();
     outcome.pga = outcome.pga.cwiseQuotient(Vector3(horizontal, horizontal, vertical));
-    for (std::size_t axis = 0; axis < 3; ++axis) outcome.source_pga[axis].acceleration /= axis == 2 ? vertical : horizontal;
+    const double displacement = similitude.velocity() * similitude.time(), rise = similitude.velocity_vertical() * similitude.time();
+    outcome.base_changes =
+        scale_back(outcome.base_changes, {horizontal, horizontal, vertical},
+                   {similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()}, {displacement, displacement, rise});
     outcome.pgv = outcome.pgv.cwiseQuotient(Vector3(similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()));
     outcome.top_peak /= similitude.length();
     outcome.top_residual /= similitude.length();
@@ -118,9 +121,10 @@ std::vector<std::string> describe(const Outcome& outcome) {
     }
     for (int axis = 0; axis < 3; ++axis) {
         if (!(outcome.pgv[axis] > 0.0)) continue;
-        lines.push_back(fmt::format("base motion along {}: {}, PGV {}", axis_name(axis),
-                                    describe_pga(outcome.pga[axis], outcome.source_pga[static_cast<std::size_t>(axis)]),
-                                    write<scaling::Velocity>(outcome.pgv[axis])));
+        const std::optional<BaseChange>& change = outcome.base_changes[static_cast<std::size_t>(axis)];
+        const bool has_peaks = change && change->of_record;
+        lines.push_back(fmt::format("base motion along {}: {}{}", axis_name(axis), describe_base(outcome.pga[axis], change),
+                                    has_peaks ? "" : ", PGV " + write<scaling::Velocity>(outcome.pgv[axis])));
     }
     if (lines.empty()) lines.emplace_back("base at rest");
     if (outcome.top_level > 0) {
@@ -160,7 +164,7 @@ nlohmann::json to_json(const Outcome& outcome) {
     }
     return {{"axis", axis_name(outcome.axis)},
             {"pga_g", {pga.x(), pga.y(), pga.z()}},
-            {"pga_source", to_json(outcome.source_pga)},
+            {"base_changes", to_json(outcome.base_changes)},
             {"pgv_m_s", {outcome.pgv.x(), outcome.pgv.y(), outcome.pgv.z()}},
             {"shaken", outcome.shaken},
             {"top", top},

@@ -120,7 +120,7 @@ void read_summary(const fs::path& path, const std::string& result, StoredRun& ru
         for (std::size_t axis = 0; axis < pga.size() && axis < 3; ++axis) {
             run.peak_base_acceleration[static_cast<int>(axis)] = pga[axis] * scaling::kStandardGravity.value();
         }
-        if (outcome.contains("pga_source")) run.source_pga = parse_source_pga(outcome["pga_source"]);
+        if (outcome.contains("base_changes")) run.base_changes = parse_base_changes(outcome["base_changes"]);
     } catch (const nlohmann::json::exception& error) {
         throw ResultError(fmt::format("{}: {} (it is damaged, or of another version); run the scene again", path.string(), error.what()));
     }

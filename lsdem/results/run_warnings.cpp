@@ -164,7 +164,11 @@ std::vector<std::string> find_warnings(const RunResult& run) {
     std::vector<std::string> warnings;
     if (run.divergence) return warnings;
     warn_of_falls_before(run, warnings);
-    if (!(run.rest && run.rest->collapsed)) warn_of_start(run, warnings);
+    if (!(run.rest && run.rest->collapsed)) {
+        warn_of_start(run, warnings);
+        const std::vector<std::string> changes = warn_of_changes(run.base_changes);
+        warnings.insert(warnings.end(), changes.begin(), changes.end());
+    }
     if (above_critical(run)) {
         warnings.push_back(describe_large_step(run.time_step, *run.critical_time_step));
     }

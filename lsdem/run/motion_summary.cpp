@@ -63,12 +63,10 @@ std::optional<double> find_predominant_period(const BaseComponent& component, do
     return period ? std::optional(period->value()) : std::nullopt;
 }
 
-AxisMotion measure_axis(const BaseMotion& base, const BaseComponent& component, std::size_t axis, const SourcePga& source, double end) {
+AxisMotion measure_axis(const BaseMotion& base, const BaseComponent& component, std::size_t axis, double end) {
     const auto a = static_cast<int>(axis);
-    AxisMotion measured{.axis = kAxes[axis],
-                        .pga = base.peak_acceleration(end)[a],
-                        .source = source,
-                        .predominant_period = find_predominant_period(component, end)};
+    AxisMotion measured{
+        .axis = kAxes[axis], .pga = base.peak_acceleration(end)[a], .predominant_period = find_predominant_period(component, end)};
     for (std::size_t k = 0; k < component.velocity.size(); ++k) {
         const double time = component.start + static_cast<double>(k) * component.dt;
         if (time > end) break;
@@ -86,10 +84,11 @@ MotionSummary summarize_motion(const Scene& scene, const std::string& name, cons
                                const TimePlan& plan) {
     MotionSummary summary{.name = name, .source = describe_source(scene.base_motion), .base = base, .plan = plan};
     const BaseMotion motion(base);
-    const std::array<SourcePga, 3> sources = find_source_pga(base, plan.duration());
+    const BaseChanges changes = find_base_changes(base, plan.duration());
     for (std::size_t axis = 0; axis < base.size(); ++axis) {
         if (base[axis].velocity.empty()) continue;
-        summary.axes.push_back(measure_axis(motion, base[axis], axis, sources[axis], plan.duration()));
+        summary.axes.push_back(measure_axis(motion, base[axis], axis, plan.duration()));
+        summary.axes.back().change = changes[axis];
     }
     const auto* record = std::get_if<RecordMotion>(&scene.base_motion.source);
     if (record != nullptr && record->scale) summary.similitude = make_similitude(*record->scale);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/results/source_pga.hpp"
+#include "lsdem/results/base_change.hpp"
 #include "lsdem/results/time_plan.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "scaling/laws/similitude.hpp"
@@ -16,7 +16,7 @@ namespace musim::lsdem {
 struct AxisMotion {
     char axis = 'x';
     double pga = 0.0, pgv = 0.0, pgd = 0.0;         ///< of the base [m/s², m/s, m]; velocity and displacement at its samples
-    SourcePga source = {};                          ///< of the record or formula
+    std::optional<BaseChange> change = {};          ///< against the record or formula
     std::optional<double> predominant_period = {};  ///< of the largest PSA at 5 % damping, from 4 samples to half the motion [s]
 };
 

@@ -64,7 +64,10 @@ class Scaler {
             BaseComponent& component = motion[axis];
             scale<scaling::Time>(component.start, component.dt);
             multiply(component.velocity, axis == 2 ? similitude_.velocity_vertical() : similitude_.velocity());
-            multiply(component.source.peak_acceleration, axis == 2 ? similitude_.acceleration_vertical() : similitude_.acceleration());
+            multiply(component.source.velocity, axis == 2 ? similitude_.velocity_vertical() : similitude_.velocity());
+            const double acceleration = axis == 2 ? similitude_.acceleration_vertical() : similitude_.acceleration();
+            multiply(component.source.acceleration, acceleration);
+            multiply(component.source.peak_acceleration, acceleration);
         }
     }
 

@@ -144,6 +144,11 @@ void add_warnings(const Scene& scene, SceneSummary& summary) {
         warn("the base rests; give a \"base_motion\" to shake the structure");
     }
     if (const std::string unrest = describe_unrest(scene, summary); !unrest.empty()) warn(unrest);
+    for (const MotionSummary& motion : summary.motions) {
+        BaseChanges changes;
+        for (const AxisMotion& axis : motion.axes) changes[static_cast<std::size_t>(axis.axis - 'x')] = axis.change;
+        for (const std::string& changed : warn_of_changes(changes)) warn(motion.name.empty() ? changed : motion.name + ": " + changed);
+    }
     if (summary.critical_time_step && summary.time_step > *summary.critical_time_step) {
         warn(describe_large_step(summary.time_step, *summary.critical_time_step));
     }

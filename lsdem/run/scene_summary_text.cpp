@@ -86,10 +86,11 @@ void describe_structure(const SceneSummary& summary, std::vector<std::string>& l
 void describe_motion(const MotionSummary& motion, std::vector<std::string>& lines) {
     lines.push_back(fmt::format("base        {}{}", motion.name.empty() ? "" : motion.name + ": ", motion.source));
     for (const AxisMotion& axis : motion.axes) {
-        lines.push_back(
-            fmt::format("            along {}: {}, PGV {}, PGD {}{}", axis.axis, describe_pga(axis.pga, axis.source),
-                        write<scaling::Velocity>(axis.pgv, 3), write<scaling::Length>(axis.pgd, 3),
-                        axis.predominant_period ? ", predominant period " + write<scaling::Time>(*axis.predominant_period, 3) : ""));
+        const bool has_peaks = axis.change && axis.change->of_record;
+        lines.push_back(fmt::format(
+            "            along {}: {}{}{}", axis.axis, describe_base(axis.pga, axis.change),
+            has_peaks ? "" : fmt::format(", PGV {}, PGD {}", write<scaling::Velocity>(axis.pgv, 3), write<scaling::Length>(axis.pgd, 3)),
+            axis.predominant_period ? ", predominant period " + write<scaling::Time>(*axis.predominant_period, 3) : ""));
     }
     if (!motion.similitude) return;
     const scaling::Similitude& s = *motion.similitude;
@@ -152,7 +153,7 @@ json to_json(const MotionSummary& motion) {
     for (const AxisMotion& axis : motion.axes) {
         json object{{"axis", std::string(1, axis.axis)}, {"pga_m_s2", axis.pga}, {"pgv_m_s", axis.pgv}, {"pgd_m", axis.pgd}};
         object["predominant_period_s"] = axis.predominant_period ? json(*axis.predominant_period) : json();
-        object["source_pga_m_s2"] = axis.source.acceleration > 0.0 ? json(axis.source.acceleration) : json();
+        object["base_change"] = axis.change ? lsdem::to_json(*axis.change) : json();
         axes.push_back(object);
     }
     json object{{"source", motion.source},

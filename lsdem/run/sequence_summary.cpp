@@ -40,10 +40,8 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     }
     int strongest = 0;
     stage.peak_acceleration = run.peak_base_acceleration.maxCoeff(&strongest);
-    const SourcePga& source = run.source_pga[static_cast<std::size_t>(strongest)];
-    if (source.differs_from(stage.peak_acceleration)) {
-        stage.pga = fmt::format("along {}: {}", axis_name(strongest), describe_pga(stage.peak_acceleration, source));
-    }
+    const std::optional<BaseChange>& change = run.base_changes[static_cast<std::size_t>(strongest)];
+    if (change) stage.pga = fmt::format("along {}: {}", axis_name(strongest), describe_base(stage.peak_acceleration, change));
     stage.at_rest = run.at_rest;
     for (const double time : run.falls.time) {
         if (std::isnan(time)) continue;

@@ -34,7 +34,7 @@ struct StageSummary {
     int axis = 0;                         ///< along which the base moved most
     double peak_velocity = 0.0;           ///< of the base, largest absolute value of its vector at the samples [m/s]
     double peak_acceleration = 0.0;       ///< of its largest component, see RunResult::peak_base_acceleration [m/s²]
-    std::string pga;                      ///< of that component, see describe_pga; empty unless that of its record or formula differs
+    std::string pga;                      ///< of that component against its record or formula, see describe_base; empty without one
     bool at_rest = true;                  ///< false: the structure had not come to rest before it, as it was to
     std::size_t fallen_before = 0;        ///< blocks that had fallen before it, the rest phase included
     std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a rest phase after it included

@@ -107,7 +107,7 @@ void finish(RunResult& run, const Simulation& simulation) {
     run.statistics = simulation.statistics();
     run.steps = run.statistics.steps;
     run.peak_base_acceleration = simulation.peak_base_acceleration();
-    run.source_pga = find_source_pga(simulation.model().ground.motion, simulation.time());
+    run.base_changes = find_base_changes(simulation.model().ground.motion, simulation.time());
     run.losses = simulation.losses();
     run.state_hash = simulation.state_hash();
     run.energy_closure = compute_energy_closure(run.history.energy);

@@ -86,7 +86,7 @@ void join(RunResult& whole, RunResult stage) {
     whole.losses->ground += stage.losses->ground;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        if (stage.peak_base_acceleration[axis] > whole.peak_base_acceleration[axis]) whole.source_pga[a] = stage.source_pga[a];
+        if (stage.peak_base_acceleration[axis] > whole.peak_base_acceleration[axis]) whole.base_changes[a] = stage.base_changes[a];
     }
     whole.peak_base_acceleration = whole.peak_base_acceleration.cwiseMax(stage.peak_base_acceleration);
     whole.state_hash = stage.state_hash;

@@ -10,7 +10,6 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_key.hpp"
 #include "records/formats/read_record.hpp"
-#include "records/measures/intensity.hpp"
 #include "records/processing/base_motion.hpp"
 #include "records/synthesis/ricker.hpp"
 #include "records/synthesis/synthetic.hpp"
@@ -81,6 +80,13 @@ BaseComponent to_component(const records::TimeSeries& velocity, scaling::Time or
     return {.start = (velocity.start() - origin).value(), .dt = velocity.dt().value(), .velocity = {samples.begin(), samples.end()}};
 }
 
+MotionSource find_source(const records::RecordedMotion& record) {
+    const auto copy = [](std::span<const double> samples) { return std::vector<double>(samples.begin(), samples.end()); };
+    return {.velocity = copy(record.velocity.samples()),
+            .acceleration = record.acceleration ? copy(record.acceleration->samples()) : std::vector<double>(),
+            .peak_acceleration = 0.0};
+}
+
 BaseComponent make_component(const SyntheticSignal& signal, const SignalMotion& /*motion*/) {
     const records::GroundMotion motion = records::make_synthetic_record(
         {.pga = signal.pga, .pgv = signal.pgv, .dt = signal.dt, .duration = signal.duration, .seed = signal.seed});
@@ -97,12 +103,6 @@ std::array<BaseComponent, 3> make_components(const SignalMotion& motion) {
     component.start += motion.start.value();
     component.source.peak_acceleration = std::visit([](const auto& signal) { return peak_of(signal); }, motion.signal);
     return components;
-}
-
-/// As `musim record info` has it: of the whole component. Only of accelerations.
-double peak_of(const records::GroundMotion& record, const records::TimeSeries& series) {
-    if (series.quantity() != records::SampleQuantity::acceleration) return 0.0;
-    return std::abs(records::find_peak_acceleration(records::level_uncorrected(series, record.integration_corner)).value.value());
 }
 
 /// Where the record's clock reads zero in the simulation.
@@ -137,6 +137,7 @@ std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
     const scaling::Time origin = find_time_origin(motion, record);
     records::BaseMotionSettings settings;
     settings.high_pass = motion.highpass_corner;
+    settings.at_rest = motion.at_rest;
     if (motion.window) settings.window = records::TimeWindow{(*motion.window)[0], (*motion.window)[1]};
 
     std::array<BaseComponent, 3> components;
@@ -144,9 +145,7 @@ std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
         if (!motion.components[axis]) continue;
         const records::BaseMotion base = records::make_base_motion(record, *motion.components[axis], settings);
         components[axis] = to_component(base.velocity, origin);
-        components[axis].source = {.peak_acceleration = peak_of(record, record.find_component(*motion.components[axis]).series),
-                                   .is_record = true,
-                                   .is_processed = motion.window || motion.highpass_corner || record.integration_corner};
+        components[axis].source = find_source(base.record);
     }
     return components;
 }
@@ -158,6 +157,8 @@ void scale(std::array<BaseComponent, 3>& components, const MotionFactors& factor
         component.dt *= factors.time;
         const double velocity = axis == 2 ? factors.velocity_vertical : factors.velocity;
         for (double& v : component.velocity) v *= velocity;
+        for (double& v : component.source.velocity) v *= velocity;
+        for (double& a : component.source.acceleration) a *= velocity / factors.time;
         component.source.peak_acceleration *= velocity / factors.time;
     }
 }

@@ -10,7 +10,7 @@ namespace musim::lsdem {
 
 /// Velocity of the base along x, y and z for the kernel [m/s, s].
 ///
-/// Signals are sampled from their closed-form velocity. Records are read, then cut, filtered and integrated (records::make_base_motion);
+/// Signals are sampled from their closed-form velocity. Records are read, then filtered, integrated and cut (records::make_base_motion);
 /// a window starts at t = 0, and so does the earliest component without one. A record's own scale comes next; the factors of scale_scene
 /// come last, one multiplication a sample, so that factors that are powers of two are exact.
 /// Throws records::ReadError for a record that cannot be used, and SceneError, which names the motion's `place` in the scene, for one that

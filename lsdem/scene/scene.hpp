@@ -16,6 +16,7 @@
 #include "lsdem/scene/preparation.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/formats/column_choice.hpp"
+#include "records/processing/processing.hpp"
 #include "records/sample_unit.hpp"
 #include "scaling/laws/similitude.hpp"
 #include "scaling/units.hpp"
@@ -123,7 +124,7 @@ struct RecordScale {
 /// The similitude of a record's scale. Throws scaling::SimilitudeError.
 scaling::Similitude make_similitude(const RecordScale& scale);
 
-/// A recorded base motion: read, windowed, high-passed, integrated, then scaled.
+/// A recorded base motion: read, high-passed, integrated, windowed, brought to rest, then scaled.
 struct RecordMotion {
     std::filesystem::path file;                            ///< absolute path
     std::array<std::optional<std::string>, 3> components;  ///< component names along x, y, z
@@ -136,6 +137,7 @@ struct RecordMotion {
     std::optional<std::size_t> skip;                       ///< lines at the beginning of text files that are not read
     std::optional<std::array<scaling::Time, 2>> window;    ///< part to use, in the record's own time; it starts at t = 0
     std::optional<scaling::Frequency> highpass_corner;     ///< default: what the record itself asks for
+    records::AtRest at_rest = records::AtRest::home;       ///< how the base begins and ends
     std::optional<RecordScale> scale;
 
     bool operator==(const RecordMotion&) const = default;

@@ -94,6 +94,10 @@ class SceneWriter {
         }
         return object;
     }
+    ordered_json write(records::AtRest at_rest) const {
+        if (at_rest == records::AtRest::displaced) return "displaced";
+        return at_rest == records::AtRest::home;
+    }
     /// Times of a record, which are read beside each other.
     ordered_json write(const std::array<scaling::Time, 2>& window) const {
         if (style_ == QuantityStyle::si_number) return {window[0].value(), window[1].value()};

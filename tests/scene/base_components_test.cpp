@@ -18,7 +18,6 @@ using namespace musim;
 using namespace musim::lsdem;
 using namespace musim::lsdem::testing;
 using musim::lsdem::BaseComponent;
-using musim::lsdem::MotionSource;
 
 namespace {
 
@@ -158,25 +157,53 @@ TEST_CASE("a synthetic motion has its peak velocity and ends at rest") {
     CHECK(x.start == 0.0);
 }
 
-TEST_CASE("a component knows the peak acceleration of its record or formula at its own scale") {
-    const auto peak_of = [](const char* motion, const std::filesystem::path& place = "scene") {
-        return make_base_components(parse_motion(motion, place))[0].source;
+TEST_CASE("a component knows its record, or the peak of its formula, at its own scale") {
+    const auto component_of = [](const char* motion, const std::filesystem::path& place = "scene") {
+        return make_base_components(parse_motion(motion, place))[0];
     };
-    CHECK(peak_of(R"({"signal": "half_sine", "amplitude": "-0.4 g", "duration": "50 ms"})").peak_acceleration ==
-          doctest::Approx(0.4 * 9.80665));
-    CHECK(peak_of(R"({"signal": "step", "velocity": "32 mm/s"})").peak_acceleration == 0.0);
+    const BaseComponent pulse = component_of(R"({"signal": "half_sine", "amplitude": "-0.4 g", "duration": "50 ms"})");
+    CHECK(pulse.source.peak_acceleration == doctest::Approx(0.4 * 9.80665));
+    CHECK(pulse.source.velocity.empty());
+    CHECK(component_of(R"({"signal": "step", "velocity": "32 mm/s"})").source.peak_acceleration == 0.0);
     const TextRecord record;
-    const MotionSource whole = peak_of(R"({"record": "motion.txt", "components": {"x": "1"}})", record.scene());
-    CHECK(whole.is_record);
-    CHECK_FALSE(whole.is_processed);
-    CHECK(whole.peak_acceleration > 0.0);
-    const MotionSource part = peak_of(R"({"record": "motion.txt", "components": {"x": "1"}, "window": ["1 s", "3 s"]})", record.scene());
-    CHECK(part.is_processed);
-    CHECK(part.peak_acceleration == whole.peak_acceleration);
-    // Froude: half the friction, half the acceleration; lengths do not matter
-    const MotionSource model = peak_of(
+    const BaseComponent whole = component_of(R"({"record": "motion.txt", "components": {"x": "1"}})", record.scene());
+    CHECK(whole.source.peak_acceleration == 0.0);
+    REQUIRE(whole.source.velocity.size() == whole.velocity.size());
+    REQUIRE(whole.source.acceleration.size() == whole.velocity.size());
+    const BaseComponent part =
+        component_of(R"({"record": "motion.txt", "components": {"x": "1"}, "window": ["1 s", "3 s"]})", record.scene());
+    REQUIRE(part.source.velocity.size() == 201);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{77}, std::size_t{200}}) {
+        CHECK(part.source.velocity[k] == whole.source.velocity[k + 100]);
+        CHECK(part.source.acceleration[k] == whole.source.acceleration[k + 100]);
+    }
+    // Froude: half the friction, half the acceleration; velocities by a quarter of the root of lengths
+    const BaseComponent model = component_of(
         R"({"record": "motion.txt", "components": {"x": "1"}, "scale": {"law": "mu", "length": 0.25, "friction": 0.5}})", record.scene());
-    CHECK(model.peak_acceleration == doctest::Approx(0.5 * whole.peak_acceleration));
+    const double time = model.dt / whole.dt;
+    CHECK(model.source.acceleration[150] == doctest::Approx(0.5 * whole.source.acceleration[150]));
+    CHECK(model.source.velocity[150] == doctest::Approx(0.5 * time * whole.source.velocity[150]));
+}
+
+TEST_CASE("a base ends at rest, displaced or as its record leaves it") {
+    const tests::TemporaryFolder folder;
+    std::ofstream file(folder.path() / "ramp.txt");
+    for (int k = 0; k <= 400; ++k) file << 0.01 * k << ' ' << 0.02 * k << '\n';  // 2 m/s³
+    file.close();
+    const auto end_of = [&](const std::string& at_rest) {
+        const BaseComponent x = make_base_components(parse_motion(
+            R"({"record": "ramp.txt", "components": {"x": "1"}, "unit": "m/s^2")" + at_rest + "}", folder.path() / "scene.json"))[0];
+        const lsdem::BaseMotion base({x, {}, {}});
+        return std::pair(base.velocity(5.0).x(), base.displacement(4.0).x());
+    };
+    CHECK(end_of(R"(, "at_rest": false)").first == doctest::Approx(2.0 * 16.0 / 2.0).epsilon(1e-12));
+    CHECK(end_of(R"(, "at_rest": false)").second == doctest::Approx(2.0 * 64.0 / 6.0).epsilon(1e-4));
+    CHECK(end_of(R"(, "at_rest": "displaced")").first == 0.0);
+    // the half of v that τ²(3 − 2τ) takes leaves ∫ (τ² − τ²(3 − 2τ)) v T dτ = (1/3 − 1/2) v T
+    CHECK(end_of(R"(, "at_rest": "displaced")").second == doctest::Approx(16.0 * 4.0 * (1.0 / 3.0 - 0.5)).epsilon(1e-3));
+    CHECK(end_of("").first == 0.0);
+    CHECK(std::abs(end_of("").second) < 1e-12);
+    CHECK(end_of(R"(, "at_rest": true)") == end_of(""));
 }
 
 TEST_CASE("a record moves the axes it is asked to, and a window starts at time zero") {

@@ -105,7 +105,7 @@ TEST_CASE("a scene written to text is read back bit for bit") {
         make_scene_text(kColumn, R"(, "base_motion": {"signal": "synthetic", "pga": "0.511 g", "pgv": "42.4 cm/s", "duration": "10 s",
                                      "dt": "0.005 s", "seed": 7, "factors": {"time": "1/3", "velocity": 0.1}})"),
         make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1", "z": "2"}, "unit": "g", "dt": "0.01 s",
-                                     "quantity": "velocity", "window": ["1 s", "2 s"], "highpass": "0.1 Hz",
+                                     "quantity": "velocity", "window": ["1 s", "2 s"], "highpass": "0.1 Hz", "at_rest": "displaced",
                                      "scale": {"law": "froude", "length": "1/25", "friction": 0.9, "gravity": 2, "density": 3}})"),
         make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1"},
                                      "scale": {"law": "centrifuge", "length": "1/25"}})"),
@@ -228,6 +228,8 @@ TEST_CASE("faults of blocks, motions and materials are refused with their place"
     check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "window": [2, 1]})")),
                   {"/base_motion/window", "is empty"});
     check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "window": 2})")), {"/base_motion/window"});
+    check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "at_rest": "no"})")),
+                  {"/base_motion/at_rest", "\"displaced\" (at rest elsewhere) or false (as given)"});
     check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"law": "nu"}})")),
                   {"/base_motion/scale/law", "mu"});
     check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"length": -1}})")), {"/base_motion/scale"});

@@ -155,6 +155,16 @@ void read_value(const JsonReader& json, records::ColumnChoices& columns) {
     }
 }
 
+void read_value(const JsonReader& json, records::AtRest& at_rest) {
+    if (json.json().is_boolean()) {
+        at_rest = json.json().get<bool>() ? records::AtRest::home : records::AtRest::as_given;
+    } else if (json.json() == "displaced") {
+        at_rest = records::AtRest::displaced;
+    } else {
+        json.fail("true (ends at rest where it began), \"displaced\" (at rest elsewhere) or false (as given) is wanted; write one of them");
+    }
+}
+
 void read_value(const JsonReader& json, std::array<scaling::Time, 2>& window) {
     if (!json.json().is_array() || json.json().size() != 2) json.fail("a list of two times is wanted; write [\"225 s\", \"265 s\"]");
     const std::vector<JsonReader> times = json.entries();

@@ -118,6 +118,7 @@ inline constexpr auto kFields<RecordMotion> = std::tuple{
     Field{"skip", &RecordMotion::skip},
     Field{"window", &RecordMotion::window},
     Field{"highpass", &RecordMotion::highpass_corner, Range::positive},
+    Field{"at_rest", &RecordMotion::at_rest},
 };
 template <>
 inline constexpr auto kFields<StepSignal> = std::tuple{Field{"velocity", &StepSignal::velocity, Range::finite, kRequired}};

@@ -39,6 +39,7 @@ void read_value(const scaling::JsonReader& json, TilingSettings& tiling);
 void read_value(const scaling::JsonReader& json, std::array<double, 4>& quaternion);
 void read_value(const scaling::JsonReader& json, records::SampleQuantity& quantity);
 void read_value(const scaling::JsonReader& json, records::ColumnChoices& columns);
+void read_value(const scaling::JsonReader& json, records::AtRest& at_rest);
 void read_value(const scaling::JsonReader& json, std::array<scaling::Time, 2>& window);
 template <class Value>
 void read_value(const scaling::JsonReader& json, std::optional<Value>& value) {

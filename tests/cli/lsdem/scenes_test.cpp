@@ -70,21 +70,28 @@ TEST_CASE("run --half-step estimates the error of the step as a pair does, and w
     CHECK(here.run("sequence scene.json --half-step -o seq").exit_code == 2);
 }
 
-TEST_CASE("a run whose base has another PGA than its record says both everywhere") {
+TEST_CASE("a run holds its base against the record everywhere, and warns where peaks are others") {
     const Workplace here;
     // a triangle of 0.5 g at one sample: the base has means of two samples, half of it
     here.write("motion.txt", "0 0\n0.1 0\n0.2 4.903325\n0.3 0\n0.4 -4.903325\n0.5 0\n0.6 0\n");
     std::string text = SceneText().text();
     const std::size_t begin = text.find(R"({"signal")"), end = text.find('}', begin);
-    here.write("scene.json", text.replace(begin, end - begin + 1, R"({"record": "motion.txt", "components": {"x": "1"}})"));
-    const std::string both = "at the base (0.5 g in the record at this scale: velocity linear between samples)";
+    here.write("scene.json",
+               text.replace(begin, end - begin + 1, R"({"record": "motion.txt", "components": {"x": "1"}, "at_rest": false})"));
+    const std::string both = "PGA 0.25 g (record 0.5 g, -50.0 %), PGV ";
+    const std::string warning = "the base makes PGA 0.25 g where its record has 0.5 g (-50.0 %) along x (its velocity is linear";
+    const Outcome check = here.run("check scene.json");
+    CHECK_MESSAGE(check.out.find(both) != std::string::npos, check.out);
+    CHECK_MESSAGE((check.out + check.err).find(warning) != std::string::npos, check.err);
     const Outcome run = here.run("run scene.json -o out --duration 0.6");
     CHECK_MESSAGE(run.out.find(both) != std::string::npos, run.out);
     const auto summary = nlohmann::json::parse(here.read("out/summary.json"))["outcome"];
-    CHECK(summary["pga_source"][0]["pga_g"].get<double>() == doctest::Approx(0.5));
+    CHECK(run.err.find(warning) != std::string::npos);
+    CHECK(summary["base_changes"][0]["source"]["pga_g"].get<double>() == doctest::Approx(0.5));
+    CHECK(summary["base_changes"][0]["largest_difference"]["pgv_m_s"].get<double>() < 1e-12);
     const Outcome response = here.run("response out");
     CHECK_MESSAGE(response.out.find(both) != std::string::npos, response.out);
-    CHECK(here.run("response out --json").json()["pga_source"] == summary["pga_source"]);
+    CHECK(here.run("response out --json").json()["base_changes"] == summary["base_changes"]);
     CHECK(here.run("response out --json").json()["pga_g"] == summary["pga_g"]);
     REQUIRE(here.run("report out -o page.html").exit_code == 0);
     CHECK(here.read("page.html").find(both) != std::string::npos);
