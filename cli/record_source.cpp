@@ -76,6 +76,20 @@ records::ReadOptions TextRecordOptions::read_options() const {
     return options;
 }
 
+CLI::Option* add_at_rest_option(CLI::App& command, std::string& at_rest) {
+    return command
+        .add_option(
+            "--at-rest", at_rest,
+            "How the base ends: yes, at rest where it began; displaced, at rest elsewhere; no, as the record leaves it (default yes)")
+        ->type_name("HOW")
+        ->check(one_of({"yes", "displaced", "no"}));
+}
+
+records::AtRest find_at_rest(const std::string& at_rest) {
+    if (at_rest == "displaced") return records::AtRest::displaced;
+    return at_rest == "no" ? records::AtRest::as_given : records::AtRest::home;
+}
+
 void RecordSourceOptions::add_to(CLI::App& command, CLI::Option* file) {
     text.add_to(command, file);
     CLI::Option* const options[] = {
@@ -131,10 +145,12 @@ void RecordMotionOptions::add_to(CLI::App& command, const std::string& help) {
         ->type_name("AXIS=NAME")
         ->needs(option);
     source.add_to(command, option);
+    add_at_rest_option(command, at_rest)->needs(option);
 }
 
 void RecordMotionOptions::apply(lsdem::Scene& scene) const {
-    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components), source.read_options());
+    const std::vector<std::string> steps =
+        lsdem::use_record(scene, record, parse_components(components), source.read_options(), find_at_rest(at_rest));
     for (const std::string& line : steps) note("{}: {}\n", record, line);
 }
 

@@ -8,8 +8,15 @@
 #include "cli/options.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "records/formats/read_record.hpp"
+#include "records/processing/processing.hpp"
 
 namespace musim::cli {
+
+/// Adds --at-rest: yes, displaced or no, as "at_rest": true, "displaced" or false in a scene.
+CLI::Option* add_at_rest_option(CLI::App& command, std::string& at_rest);
+
+/// The value of that option.
+records::AtRest find_at_rest(const std::string& at_rest);
 
 /// Missing parts of plain text files, as options --dt, --unit, --columns, --skip.
 struct TextRecordOptions {
@@ -46,11 +53,12 @@ struct RecordSourceOptions {
     records::GroundMotion load_beside(const std::string& naming_file, const std::string& source) const;
 };
 
-/// A record that shakes a scene, as options --record, --component, and those of record files.
+/// A record that shakes a scene, as options --record, --component, --at-rest, and those of record files.
 struct RecordMotionOptions {
     std::string record;                   ///< file; empty: the scene's own motion stays
     std::vector<std::string> components;  ///< "x=360"
     RecordSourceOptions source;
+    std::string at_rest = "yes";  ///< see add_at_rest_option()
 
     /// Adds the options; `help` says what becomes of the record.
     void add_to(CLI::App& command, const std::string& help);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "records/measures/intensity.hpp"
-#include "records/processing/processing.hpp"
+#include "records/processing/base_window.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -22,10 +22,21 @@ std::string describe_filter(const records::GroundMotion& motion) {
     return "no high-pass, as the file does not say that the record is uncorrected; if it is, set base_motion.highpass, e.g. \"0.05 Hz\"";
 }
 
+const char* describe_end(records::AtRest at_rest) {
+    switch (at_rest) {
+        case records::AtRest::displaced:
+            return "integrated to a velocity that ends at rest";
+        case records::AtRest::as_given:
+            return "integrated as it is; the base keeps its last velocity";
+        default:
+            return "integrated to a velocity and a displacement that end at rest";
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
-                                    const records::ReadOptions& reading) {
+                                    const records::ReadOptions& reading, records::AtRest at_rest) {
     const records::GroundMotion motion = records::read_record(file, reading);
     std::vector<std::string> steps;
     for (const std::string& line : motion.history) {
@@ -46,25 +57,29 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
     if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {
         source.components[0] = records::find_strongest_horizontal(motion).name;
     }
-    const records::Component* first = nullptr;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!source.components[axis]) continue;
         const records::Component& component = motion.find_component(*source.components[axis]);
         source.components[axis] = component.name;
-        if (first == nullptr) first = &component;
         const double peak = std::abs(records::find_peak_acceleration(level(motion, component)).value.value());
         steps.push_back(fmt::format("component {} of {} along {}, the record's own peak {:.4g} g", component.name, motion.component_names(),
                                     "xyz"[axis], peak / scaling::kStandardGravity.value()));
     }
 
-    const records::TimeWindow window = records::find_strong_motion(level(motion, *first));
+    source.highpass_corner = motion.integration_corner;
+    source.at_rest = at_rest;
+    const records::BaseMotionSettings settings{.high_pass = source.highpass_corner, .at_rest = at_rest};
+    std::vector<std::string> used;
+    for (const auto& name : source.components) {
+        if (name) used.push_back(*name);
+    }
+    const records::TimeWindow window = records::find_base_window(motion, used, settings);
     source.window = {window.start, window.end};
     scene.time.duration = window.end - window.start;
-    steps.push_back(fmt::format("strong motion from {:.2f} s to {:.2f} s of the record", window.start.value(), window.end.value()));
-
-    source.highpass_corner = motion.integration_corner;
+    steps.push_back(fmt::format("strong motion from {:.2f} s to {:.2f} s of the record, opened and closed where the base is easily at rest",
+                                window.start.value(), window.end.value()));
     steps.push_back(describe_filter(motion));
-    steps.emplace_back("integrated to a velocity and a displacement that end at rest");
+    steps.emplace_back(describe_end(at_rest));
 
     scene.base_motion = {.source = source, .factors = {}};
     return steps;

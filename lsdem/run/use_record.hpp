@@ -17,11 +17,11 @@ using AxisComponents = std::array<std::optional<std::string>, 3>;
 /// Replaces a scene's base motion by the strong motion of a recorded one, and its duration by the length of that.
 ///
 /// With no component named, the one with the largest PGA among the horizontal ones (those with an azimuth; all, when no azimuth is known)
-/// goes along x. The window is records::find_strong_motion of the first component used, of an uncorrected record above its initial level;
-/// the high-pass corner is the record's own (0.05 Hz for uncorrected records). The scene then names the options of reading it. Returns what
-/// was done, one line each. Throws records::ReadError and records::ProcessingError.
+/// goes along x. The window is records::find_base_window of the components used; the high-pass corner is the record's own (0.05 Hz for
+/// uncorrected records). The scene then names the options of reading it. Returns what was done, one line each. Throws records::ReadError
+/// and records::ProcessingError.
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
-                                    const records::ReadOptions& reading = {});
+                                    const records::ReadOptions& reading = {}, records::AtRest at_rest = records::AtRest::home);
 
 /// Lets the record that a scene uses be of a prototype, of which the scene is a model by a law (RecordScale); its duration is then the
 /// model's. Nothing is done where every factor is 1. Throws scaling::SimilitudeError. Requires a record.
