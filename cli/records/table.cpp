@@ -34,6 +34,7 @@ struct TableOptions {
     std::vector<std::string> axes;  ///< COMPONENT=AXIS
     std::string payload, height, prototype_mass, prototype_height;
     std::optional<Number> highpass;
+    std::string at_rest = "yes";
     std::vector<Number> periods;
     bool correct = false;
     Number accept{1.5};  ///< largest mean factor of PSA that a correction may bring
@@ -118,7 +119,7 @@ Verdict judge(const TableOptions& options, const records::TableTask& task, const
     std::vector<records::AxisLoad> loads;
     for (std::size_t c = 0; c < verdict.uses.size(); ++c)
         loads.push_back({task.axes[c], to_prototype(verdict.uses[c].demand, scales, find_shaking(task.axes[c]))});
-    verdict.limit_scales = find_limit_scales(loads, payload, vary_length(options.scales));
+    verdict.limit_scales = find_limit_scales(loads, payload.of_prototype(scales), vary_length(options.scales));
     verdict.scales = find_scales(verdict.limit_scales);
     verdict.fits = records::find_largest_use(verdict.uses) <= 1.0;
     if (!verdict.fits) verdict.corrections = records::find_corrections(task, find_periods(options, scales, verdict.uses));
@@ -204,6 +205,7 @@ int run_table(TableOptions options) {
                             table.energy_share};
     if (options.highpass) task.settings.high_pass = scales.frequency * options.highpass->value / scaling::si::seconds;
     if (table.controller) task.settings.dt = 1.0 / table.controller->rate;
+    task.settings.at_rest = find_at_rest(options.at_rest);
     const Verdict verdict = judge(options, task, payload, scales);
 
     const bool is_correctable = !verdict.corrections.empty() && std::exp(verdict.corrections.front().mean_change) <= options.accept;
@@ -214,7 +216,10 @@ int run_table(TableOptions options) {
         records::write_file_atomically(options.save_recipe, records::write_recipe(records::make_drive_recipe(task.model, settings)));
 
     std::vector<DriveEffect> effects;
-    if (is_made) effects = find_drive_effects(task.model, settings, find_periods(options, scales, verdict.uses));
+    if (is_made) {
+        effects = find_drive_effects(task.model, settings, find_periods(options, scales, verdict.uses));
+        warn_of_drive_effects(options.record, effects);
+    }
 
     if (!is_made) options.drive.clear();
     if (options.json) {
@@ -246,7 +251,8 @@ void add_table_command(CLI::App& app, Action& action) {
                      "A component and the axis that makes it; may be repeated (default: all, vertical ones by the axis z or vertical)")
         ->type_name("COMPONENT=AXIS")
         ->allow_extra_args(false);
-    command->add_option("--payload", options->payload, "Mass of the model on the table, such as \"350 kg\" (default 0)")->type_name("MASS");
+    command->add_option("--payload", options->payload, "Mass of the model on the table at this length, such as \"350 kg\" (default 0)")
+        ->type_name("MASS");
     command->add_option("--payload-height", options->height, "Its centre of mass above the platen (default 0)")->type_name("LENGTH");
     command->add_option("--prototype-mass", options->prototype_mass, "The prototype's mass instead, scaled with the model")
         ->type_name("MASS");
@@ -255,6 +261,7 @@ void add_table_command(CLI::App& app, Action& action) {
         ->add_option("--highpass", options->highpass, "Corner [Hz of the prototype] of a high-pass in any case (default: as record info)")
         ->type_name("NUMBER")
         ->check(above_zero());
+    add_at_rest_option(*command, options->at_rest);
     command->add_option("--periods", options->periods, "Band of periods [s of the prototype] in which corrections are weighed")
         ->type_name("FIRST LAST")
         ->expected(2)

@@ -60,19 +60,11 @@ const std::vector<scaling::LengthRange>* find_ranges(const std::vector<records::
     return nullptr;
 }
 
-/// A peak of the record and of the table's motion, with its name and unit, and its key in JSON.
-struct PeakChange {
-    const char *name, *unit, *key;
-    std::optional<double> before, after;
-};
-
-std::vector<PeakChange> list_peak_changes(const DriveEffect& effect) {
-    const auto change = [&](const char* name, const char* unit, const char* key, auto records::Intensity::*peak, double si) {
-        return PeakChange{name, unit, key, size_of(effect.before.*peak, si), size_of(effect.after.*peak, si)};
-    };
-    return {change("PGA", "g", "pga_g", &records::Intensity::pga, scaling::kStandardGravity.value()),
-            change("PGV", "cm/s", "pgv_cm_s", &records::Intensity::pgv, 0.01),
-            change("PGD", "cm", "pgd_cm", &records::Intensity::pgd, 0.01)};
+/// Peaks in the units of their keys in JSON.
+std::vector<std::pair<const char*, double>> list_peaks(const records::MotionPeaks& peaks) {
+    return {{"pga_g", (peaks.pga / scaling::kStandardGravity).value()},
+            {"pgv_cm_s", peaks.pgv.value() / 0.01},
+            {"pgd_cm", peaks.pgd.value() / 0.01}};
 }
 
 std::optional<double> find_mean_psa_factor(const records::TimeSeries& before, const records::TimeSeries& after,
@@ -151,7 +143,7 @@ nlohmann::json to_json(const records::Correction& correction, const scaling::Mod
 }
 
 void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales) {
-    print("{:<10} {:<8} {:<20} {:>10} {:>10} {:<5} {:>7}  {}\n", "component", "axis", "limit", "record", "table", "", "used",
+    print("{:<10} {:<8} {:<20} {:>10} {:>10} {:<5} {:>7}  {}\n", "component", "axis", "limit", "record", "table", "unit", "used",
           "length scales");
     for (const records::ComponentUse& component : uses) {
         for (const records::LimitUse& use : component.uses) {
@@ -196,13 +188,14 @@ void print_correction(const records::Correction& correction, const scaling::Mode
 
 void print_spectra(const records::Correction& correction, const scaling::ModelScales& scales) {
     constexpr std::size_t kRows = 10;
-    print("{:<10} {:>14} {:>10} {:>14} {:>14} {:>9}\n", "component", "T prototype", "T model", "PSA record", "PSA corrected", "ratio");
+    print("{:<10} {:>15} {:>11} {:>14} {:>17} {:>9}\n", "component", "T prototype [s]", "T model [s]", "PSA record [g]",
+          "PSA corrected [g]", "ratio [-]");
     for (const records::SpectrumChange& change : correction.spectra) {
         const auto before = change.before.pseudo_acceleration(), after = change.after.pseudo_acceleration();
         for (std::size_t row = 0; row < kRows; ++row) {
             const std::size_t i = row * (before.size() - 1) / (kRows - 1);
             const double g = scaling::kStandardGravity.value(), period = change.before.period[i];
-            print("{:<10} {:>12.4g} s {:>8.4g} s {:>12.4g} g {:>12.4g} g {:>9.4f}\n", change.component, period / scales.time, period,
+            print("{:<10} {:>15.4g} {:>11.4g} {:>14.4g} {:>17.4g} {:>9.4f}\n", change.component, period / scales.time, period,
                   before[i] / g, after[i] / g, after[i] / before[i]);
         }
     }
@@ -211,34 +204,28 @@ void print_spectra(const records::Correction& correction, const scaling::ModelSc
 std::vector<DriveEffect> find_drive_effects(const records::GroundMotion& model, const records::DriveSettings& settings,
                                             std::span<const scaling::Time> periods) {
     const std::vector<records::DriveMotion> motions = records::make_drive_motions(model, settings);
+    const std::vector<records::MotionChange> changes = records::compare_drive_motions(model, settings);
     std::vector<DriveEffect> effects;
     for (std::size_t c = 0; c < motions.size(); ++c) {
-        const records::TimeSeries& series = model.components[c].series;
-        const auto& corner = model.integration_corner;
-        records::Intensity after;
-        after.pga = records::find_peak_acceleration(motions[c].acceleration);
-        after.pgv = records::find_peak_velocity(motions[c].velocity);
-        after.pgd = records::find_peak_displacement(motions[c].displacement);
-        effects.push_back({model.components[c].name, records::compute_intensity(series, corner), after,
-                           find_mean_psa_factor(records::level_uncorrected(series, corner), motions[c].acceleration, periods)});
+        const records::TimeSeries record = records::level_uncorrected(model.components[c].series, model.integration_corner);
+        effects.push_back({model.components[c].name, changes[c], find_mean_psa_factor(record, motions[c].acceleration, periods)});
     }
     return effects;
 }
 
 void print_drive_effects(const std::vector<DriveEffect>& effects) {
-    print(
-        "The table's motion is the model's record tapered over {:g} % of its length at each end, filtered and scaled as said, and "
-        "corrected\n"
-        "to end at rest. From the record to the table:\n",
-        100.0 * records::kDefaultTaper);
+    print("The table's motion is that of the base in a run of the model's record, with filters and amplitude as said:\n");
     for (const DriveEffect& effect : effects) {
-        std::string line;
-        for (const PeakChange& peak : list_peak_changes(effect)) {
-            line += fmt::format("{} {} {} -> {} {}", line.empty() ? ":" : ",", peak.name, or_dash(peak.before, 4), or_dash(peak.after, 4),
-                                peak.unit);
-        }
+        std::string line = records::describe(effect.change);
         if (effect.mean_psa_factor) line += fmt::format("; PSA by a factor {:.4g} on average", *effect.mean_psa_factor);
-        print("  {}{}\n", effect.component, line);
+        print("  {}: {}\n", effect.component, line);
+    }
+}
+
+void warn_of_drive_effects(const std::string& record, const std::vector<DriveEffect>& effects) {
+    for (const DriveEffect& effect : effects) {
+        const std::string what = records::describe_changed_peaks(effect.change);
+        if (!what.empty()) note("musim: warning: {}: component {}: the table {}\n", record, effect.component, what);
     }
 }
 
@@ -246,9 +233,9 @@ nlohmann::json to_json(const std::vector<DriveEffect>& effects) {
     nlohmann::json list = nlohmann::json::array();
     for (const DriveEffect& effect : effects) {
         nlohmann::json object{{"component", effect.component}, {"mean_psa_factor", or_null(effect.mean_psa_factor)}};
-        for (const PeakChange& peak : list_peak_changes(effect)) {
-            object[peak.key] = nlohmann::json::array({or_null(peak.before), or_null(peak.after)});
-        }
+        for (const auto& [key, value] : list_peaks(effect.change.record)) object[key] = nlohmann::json::array({value});
+        for (const auto& [key, value] : list_peaks(effect.change.base)) object[key].push_back(value);
+        for (const auto& [key, value] : list_peaks(effect.change.difference)) object["largest_difference"][key] = value;
         list.push_back(std::move(object));
     }
     return list;

@@ -29,10 +29,10 @@ void print_correction(const records::Correction& correction, const scaling::Mode
 /// Effect of a correction on the response spectra, at some of its periods, the prototype's and the model's.
 void print_spectra(const records::Correction& correction, const scaling::ModelScales& scales);
 
-/// Effect of taper, filters and the correction to rest on one component of a model's record.
+/// Effect of filters, amplitude, step and end at rest on one component of a model's record.
 struct DriveEffect {
     std::string component;
-    records::Intensity before, after;
+    records::MotionChange change;
     std::optional<double> mean_psa_factor;  ///< exp of the mean |ln| of the ratio of 5 % PSA; of accelerations
 };
 
@@ -40,10 +40,13 @@ struct DriveEffect {
 std::vector<DriveEffect> find_drive_effects(const records::GroundMotion& model, const records::DriveSettings& settings,
                                             std::span<const scaling::Time> periods);
 
-/// Says what is done and what it changes.
+/// Prints what is done and what it changes.
 void print_drive_effects(const std::vector<DriveEffect>& effects);
 
-/// [{"component", "pga_g", "pgv_cm_s", "pgd_cm": [before, after], "mean_psa_factor"}, ...].
+/// Warns of components whose PGA or PGV are not those of the record, see records::kChangedPeak.
+void warn_of_drive_effects(const std::string& record, const std::vector<DriveEffect>& effects);
+
+/// [{"component", "pga_g", "pgv_cm_s", "pgd_cm": [record, table], "largest_difference": {the same three}, "mean_psa_factor"}, ...].
 nlohmann::json to_json(const std::vector<DriveEffect>& effects);
 
 }  // namespace musim::cli

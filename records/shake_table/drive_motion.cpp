@@ -1,15 +1,29 @@
 #include "records/shake_table/drive_motion.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "records/processing/align.hpp"
+
 namespace musim::records {
 namespace {
 
 constexpr int kLowPassOrder = 4;
 
-/// The series with zeros around it; its own last sample, rounding, is zero too.
-TimeSeries add_rest(const TimeSeries& series, scaling::Time rest) {
+/// Last velocity of a motion at rest, and last displacement of one that came home, over its largest: rounding of sums.
+constexpr double kAtRest = 1e-6;
+
+/// The series held at its first and last value around it.
+TimeSeries hold(const TimeSeries& series, scaling::Time rest, double last) {
     std::vector<double> samples(series.samples().begin(), series.samples().end());
-    samples.back() = 0.0;
-    return pad(series.with_samples(std::move(samples)), rest, rest);
+    samples.back() = last;
+    const TimeSeries padded = pad(series.with_samples(std::move(samples)), rest, rest);
+    std::vector<double> held(padded.samples().begin(), padded.samples().end());
+    const auto after = static_cast<std::ptrdiff_t>((padded.size() - series.size()) / 2);
+    std::fill(held.end() - after, held.end(), last);
+    return padded.with_samples(std::move(held));
 }
 
 }  // namespace
@@ -25,10 +39,9 @@ Recipe make_drive_recipe(const GroundMotion& model, const DriveSettings& setting
     if (corner || settings.low_pass) recipe.emplace_back(step::Taper{.fraction = kDefaultTaper});
     if (corner) recipe.emplace_back(step::Filter{.band = {.low = corner, .high = {}}});
     if (settings.low_pass) recipe.emplace_back(step::Filter{.band = {.low = {}, .high = settings.low_pass}, .order = kLowPassOrder});
-    recipe.emplace_back(step::Taper{.fraction = kDefaultTaper});
     if (settings.amplitude != 1.0) recipe.emplace_back(step::Amplify{settings.amplitude});
     if (settings.dt) recipe.emplace_back(step::Resample{.dt = *settings.dt});
-    recipe.emplace_back(step::Rest{});
+    if (settings.at_rest != AtRest::as_given) recipe.emplace_back(step::Rest{.displaced = settings.at_rest == AtRest::displaced});
     return recipe;
 }
 
@@ -40,6 +53,21 @@ std::vector<DriveMotion> make_drive_motions(const GroundMotion& model, const Dri
     return motions;
 }
 
+std::vector<MotionChange> compare_drive_motions(const GroundMotion& model, const DriveSettings& settings) {
+    const std::vector<DriveMotion> motions = make_drive_motions(model, settings), own = make_drive_motions(model, settings.at_own_step());
+    const GroundMotion aligned = model.components.size() > 1 ? align(model) : model;
+    std::vector<MotionChange> changes;
+    for (std::size_t c = 0; c < motions.size(); ++c) {
+        const RecordedMotion record =
+            make_base_motion(aligned.components[c].series, {.integration_corner = model.integration_corner}).record;
+        MotionChange& change = changes.emplace_back(compare_motions(own[c].velocity, record));
+        change.base = {.pga = scaling::Acceleration::from_value(find_largest(motions[c].acceleration.samples())),
+                       .pgv = scaling::Velocity::from_value(find_largest(motions[c].velocity.samples())),
+                       .pgd = scaling::Length::from_value(find_largest(motions[c].displacement.samples()))};
+    }
+    return changes;
+}
+
 DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest) {
     require_quantity(acceleration_at_rest, SampleQuantity::acceleration, "a table's motion");
     const TimeSeries velocity = integrate(acceleration_at_rest);
@@ -47,7 +75,14 @@ DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest) {
 }
 
 DriveMotion add_rest(const DriveMotion& motion, scaling::Time rest) {
-    return {add_rest(motion.acceleration, rest), add_rest(motion.velocity, rest), add_rest(motion.displacement, rest)};
+    const double last = std::abs(motion.velocity.samples().back());
+    if (!(last <= kAtRest * find_largest(motion.velocity.samples()))) {
+        throw ProcessingError(
+            fmt::format("the motion ends at {:.3g} m/s (a table must stop); let it end at rest, displaced if need be", last));
+    }
+    const double end = motion.displacement.samples().back();
+    const bool is_home = std::abs(end) <= kAtRest * find_largest(motion.displacement.samples());
+    return {hold(motion.acceleration, rest, 0.0), hold(motion.velocity, rest, 0.0), hold(motion.displacement, rest, is_home ? 0.0 : end)};
 }
 
 }  // namespace musim::records

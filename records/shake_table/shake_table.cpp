@@ -83,6 +83,19 @@ TableAxis read_axis(const JsonReader& fields, bool was_in_order) {
     return axis;
 }
 
+/// Names of rotations as tables and records have them: roll, pitch, yaw, rx, rot_z, theta_x, and SEED's channels of rotational seismometers
+/// (instrument J: HJE, BJ1).
+bool is_rotation(std::string_view name) {
+    std::string low;
+    for (const char c : name) {
+        if (c != '_' && c != '-' && c != ' ') low += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    constexpr std::string_view kNames[] = {"roll", "pitch", "yaw", "rx", "ry", "rz", "rotx", "roty", "rotz", "thetax", "thetay", "thetaz"};
+    if (std::find(std::begin(kNames), std::end(kNames), low) != std::end(kNames)) return true;
+    if (low.starts_with("rotation")) return true;
+    return low.size() == 3 && low[1] == 'j' && std::string_view("zne123").find(low[2]) != std::string_view::npos;
+}
+
 /// One entry of the list stands for as many axes as it has names.
 void add_axes(std::vector<TableAxis>& axes, const JsonReader& fields, bool was_in_order) {
     if (fields.has("name")) fields.fail("\"name\" is none of its settings", "write a list of names, \"names\": [\"x\"]");
@@ -95,6 +108,9 @@ void add_axes(std::vector<TableAxis>& axes, const JsonReader& fields, bool was_i
         if (!name.is_string()) fields.fail("a name is no text", "write it in quotes");
         TableAxis axis = limits;
         axis.name = name.get<std::string>();
+        if (is_rotation(axis.name)) {
+            fields.fail(fmt::format("\"{}\" is a rotation (a table's axes are translations here)", axis.name), "leave it out");
+        }
         if (std::any_of(axes.begin(), axes.end(), [&](const TableAxis& other) { return other.name == axis.name; })) {
             fields.fail(fmt::format("the name \"{}\" comes twice", axis.name), "give every direction its own");
         }
@@ -219,7 +235,13 @@ AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
         if (std::any_of(assigned.axes.begin(), assigned.axes.end(), [&](const TableAxis& other) { return other.name == name; })) {
             throw ReadError(fmt::format("axis {} is to make two components; give each its own", name));
         }
-        assigned.motion.components.push_back(motion.find_component(component));
+        const Component& moved = motion.find_component(component);
+        if (is_rotation(moved.name)) {
+            throw ReadError(fmt::format("{}: component {} is a rotation (a table's axes are translations here)",
+                                        motion.source.empty() ? "record" : motion.source, moved.name),
+                            Remedy("name the components that are translations"));
+        }
+        assigned.motion.components.push_back(moved);
         assigned.axes.push_back(table.find_axis(name));
     }
     return assigned;

@@ -74,8 +74,8 @@ struct ShakeTable {
 /// {"rate", "rest" (or its old name "quiet"), "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...],
 /// "separator": "comma" | "tab" | "space", "header", "digits"}}. Quantities are SI numbers or text with a unit. A force and an oil column
 /// need the moving mass. Throws ReadError `source: place: what (why); what to do` for anything else, unknown keys, limits that are not
-/// positive and names that come twice included. `reading` takes limits and masses with standard uncertainties (scaling/uncertain.hpp),
-/// which are refused without it.
+/// positive, names that come twice and rotations (roll, pitch, yaw, ...) included. `reading` takes limits and masses with standard
+/// uncertainties (scaling/uncertain.hpp), which are refused without it.
 ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading = nullptr);
 
 /// The components of a record that a table is to make, and the axis that makes each.
@@ -86,7 +86,7 @@ struct AssignedAxes {
 
 /// Picks components and axes as `wanted` says: (component, axis) pairs. Without any, all components: vertical ones (named Up, UD, Z, HNZ
 /// and the like) go to the axis called "z" or "vertical", the others to the other axes in turn. Throws ReadError for a name that there is
-/// not, an axis that is to make two components, and when the table has too few axes.
+/// not, an axis that is to make two components, a component that is a rotation, and when the table has too few axes.
 AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
                          const std::vector<std::pair<std::string, std::string>>& wanted);
 

@@ -88,6 +88,11 @@ Payload Payload::on_model(const scaling::ModelScales& scales) const {
     return {scales.mass * mass, scales.height * height, false};
 }
 
+Payload Payload::of_prototype(const scaling::ModelScales& scales) const {
+    if (is_prototype) return *this;
+    return {mass / scales.mass, height / scales.height, true};
+}
+
 std::string_view to_string(TableLimit limit) { return kLimits[static_cast<std::size_t>(limit)].first; }
 
 std::string_view si_unit_name(TableLimit limit) { return kLimits[static_cast<std::size_t>(limit)].second; }

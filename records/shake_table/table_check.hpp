@@ -46,8 +46,11 @@ struct Payload {
     scaling::Length height;     ///< of its centre of mass above the platen
     bool is_prototype = false;  ///< mass and height are the prototype's, and scale as masses and heights do
 
-    /// What the model has.
+    /// Payload of the model.
     Payload on_model(const scaling::ModelScales& scales) const;
+
+    /// Payload of the prototype of which the model has this one by these scales: models of other lengths have another.
+    Payload of_prototype(const scaling::ModelScales& scales) const;
 };
 
 enum class TableLimit {

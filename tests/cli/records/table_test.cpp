@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -55,14 +56,17 @@ TEST_CASE("table says that a record fits, at which scales, and writes the drive 
     CHECK(object["table"] == "test table");
     CHECK(object["corrections"].empty());
     CHECK(object["drive"] == "drive.csv");
-    // what taper and rest do to the record is reported: little to its peaks, all of them of the motion that is written
+    // what the controller's step and the end at rest do to the record is reported, all of it of the motion that is written
     const auto& effect = object["drive_effects"].at(0);
     CHECK(effect["pga_g"].at(1).get<double>() == relative(effect["pga_g"].at(0).get<double>(), 0.05));
     CHECK(effect["pgv_cm_s"].at(0).get<double>() == relative(42.4 / 5.0, 0.01));
     CHECK(effect["mean_psa_factor"].get<double>() >= 1.0);
     CHECK(effect["mean_psa_factor"].get<double>() < 1.1);
     const std::string said = here.run(std::string(kArguments)).out;
-    CHECK(said.find("tapered over 2 % of its length at each end") != std::string::npos);
+    CHECK(effect["largest_difference"]["pgv_cm_s"].get<double>() < 0.02 * effect["pgv_cm_s"].at(0).get<double>());
+    CHECK(said.find("The table's motion is that of the base in a run of the model's record") != std::string::npos);
+    CHECK(said.find("largest difference at any time ") != std::string::npos);
+    CHECK(said.find("    record      table unit     used") != std::string::npos);
     CHECK(said.find("PSA by a factor ") != std::string::npos);
     const auto& component = object["components"].at(0);
     CHECK(component["axis"] == "x");
@@ -155,9 +159,14 @@ TEST_CASE("the payload is the model's or the prototype's scaled") {
     };
     CHECK(used("--payload '500 kg'") == relative(0.25, 1e-12));
     CHECK(used("--prototype-mass '15625 t'") == relative(0.5, 1e-12));  // 25³ t
+    // models of other lengths have other masses: 2 t at 4^(1/3) of this length
+    const auto limits = here.run(std::string(kArguments) + "--json --payload '500 kg'").json()["components"].at(0)["limits"];
+    for (const auto& limit : limits) {
+        if (limit["limit"] == "payload") CHECK(limit["scales"].at(0).at(1).get<double>() == relative(0.04 * std::cbrt(4.0), 1e-9));
+    }
     CHECK(used("--payload '4 t'") == relative(2.0, 1e-12));
     CHECK(here.run(std::string(kArguments) + "--payload '4 t' --correct").err ==
-          "musim: error: synthetic: the table cannot make it; choose another table\n");
+          "musim: error: synthetic: the table cannot make it; choose another length scale or table\n");
 }
 
 TEST_CASE("the example tables are read") {
@@ -187,6 +196,41 @@ TEST_CASE("a table judges models of a law as data, and finds their length scales
     CHECK(incomplete.exit_code != 0);
     CHECK(incomplete.has_one_error_line());
     CHECK(incomplete.err.find("give it (--set a=NUMBER)") != std::string::npos);
+}
+
+TEST_CASE("a table may end displaced, and does not take a motion that never stops") {
+    const Workplace here;
+    here.write("table.json", make_table("2 m"));
+    // v = 0.8 sin²(pi t) m/s for a second: 0.4 m further at its end
+    std::string pulse;
+    for (int k = 0; k <= 200; ++k)
+        pulse += std::to_string(0.005 * k) + " " + std::to_string(0.8 * std::pow(std::sin(std::numbers::pi * 0.005 * k), 2)) + "\n";
+    here.write("pulse.txt", pulse);
+    const std::string run =
+        "table pulse.txt --unit m/s --quantity velocity --limits table.json --length 1 --periods 0.1 2 --drive drive.csv ";
+    const Outcome displaced = here.run(run + "--at-rest displaced");
+    REQUIRE_MESSAGE(displaced.exit_code == 0, displaced.err);
+    CHECK(column(here.read("drive.csv"), 1).back() == relative(400.0, 1e-3));
+    CHECK(displaced.err.empty());
+    const Outcome home = here.run(run);
+    REQUIRE_MESSAGE(home.exit_code == 0, home.err);
+    CHECK(std::abs(column(here.read("drive.csv"), 1).back()) < 1e-6);
+    CHECK(home.err.find("musim: warning: pulse.txt: component 1: the table makes PG") == 0);
+    // half of the pulse ends at its peak
+    here.write("half.txt", pulse.substr(0, pulse.find("0.505000")));
+    const Outcome moving = here.run(
+        "table half.txt --unit m/s --quantity velocity --limits table.json --length 1 --periods 0.1 2 --drive no.csv --at-rest no");
+    CHECK(moving.exit_code == 3);
+    CHECK(moving.err.find("the motion ends at ") != std::string::npos);
+    CHECK_FALSE(here.has("no.csv"));
+}
+
+TEST_CASE("a rotation of a table is refused by name") {
+    const Workplace here;
+    here.write("tilting.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x", "pitch"], "velocity": "1 m/s"}]})");
+    const Outcome axis = here.run("table synthetic --limits tilting.json --length 1/25");
+    CHECK(axis.exit_code == 3);
+    CHECK(axis.err.find("\"pitch\" is a rotation (a table's axes are translations here); leave it out") != std::string::npos);
 }
 
 TEST_CASE("wrong input to table is reported in one line") {

@@ -54,7 +54,8 @@ TEST_CASE("a table's motion starts and ends at rest, its parts are integrals of 
     // the polynomial that brings to rest does so to the rounding of its sums
     CHECK(std::abs(bare.velocity.samples().back()) < 1e-12 * largest(bare.velocity));
     CHECK(std::abs(bare.displacement.samples().back()) < 1e-12 * largest(bare.displacement));
-    CHECK(std::abs(bare.acceleration.samples().back()) < 1e-6 * largest(bare.acceleration));
+    // filters leave a little of the taper's zero
+    CHECK(std::abs(bare.acceleration.samples().back()) < 1e-3 * largest(bare.acceleration));
 
     const DriveMotion resting = add_rest(bare, 0.3 * si::seconds);
     CHECK(resting.displacement.size() == bare.displacement.size() + 200);
@@ -65,6 +66,23 @@ TEST_CASE("a table's motion starts and ends at rest, its parts are integrals of 
         }
     }
     CHECK_THROWS_AS(integrate_twice(bare.velocity), ProcessingError);
+}
+
+TEST_CASE("a table makes the motion of a base") {
+    GroundMotion record = make_ten_seconds();
+    GroundMotion uncorrected = record;
+    uncorrected.integration_corner = 0.1 / si::seconds;
+    for (const GroundMotion& motion : {record, uncorrected}) {
+        for (const AtRest at_rest : {AtRest::home, AtRest::displaced, AtRest::as_given}) {
+            const TimeSeries table = make_drive_motions(motion, {.at_rest = at_rest}).front().velocity;
+            const TimeSeries base = make_base_motion(motion, "1", {.at_rest = at_rest}).velocity;
+            REQUIRE(table.size() == base.size());
+            double difference = 0.0;
+            for (std::size_t i = 0; i < base.size(); ++i)
+                difference = std::max(difference, std::abs(table.samples()[i] - base.samples()[i]));
+            CHECK(difference < 1e-12 * largest(base));
+        }
+    }
 }
 
 TEST_CASE("velocities and displacements are differentiated first, uncorrected records filtered at their corner") {

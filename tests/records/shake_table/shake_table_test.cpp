@@ -140,4 +140,26 @@ TEST_CASE("components find their axes by themselves or as given") {
                       "a.v1: the table has no vertical axis left for component Up; choose components with --axis Up=AXIS");
 }
 
+TEST_CASE("a component that is a rotation moves no axis") {
+    const ShakeTable table = parse_shake_table(kTable, "t.json");
+    for (const char* const name : {"roll", "Pitch", "rot_z", "theta_x", "rotation about x", "HJE", "BJ1"}) {
+        GroundMotion motion = three_components();
+        motion.components[0].name = name;
+        CHECK_THROWS_WITH(assign_axes(motion, table, {{name, "x"}}),
+                          (std::string("a.v1: component ") + name +
+                           " is a rotation (a table's axes are translations here); name the components that are translations")
+                              .c_str());
+    }
+    GroundMotion motion = three_components();
+    for (const char* const name : {"HNE", "NS2", "rake", "J"}) {
+        motion.components[0].name = name;
+        CHECK(assign_axes(motion, table, {{name, "x"}}).axes.size() == 1);
+    }
+}
+
+TEST_CASE("an axis that is a rotation is no axis of a table") {
+    const std::string error = error_of(R"({"schema": "musim-table/1", "axes": [{"names": ["x", "yaw"], "velocity": "1 m/s"}]})");
+    CHECK(error.find("\"yaw\" is a rotation (a table's axes are translations here); leave it out") != std::string::npos);
+}
+
 }  // namespace musim::records
