@@ -35,7 +35,7 @@ BaseChange compare_with_record(const BaseComponent& component, double end) {
             true};
 }
 
-/// Of a formula whose PGA the run has reached, as far as its samples do.
+/// Comparison with a formula, whose PGA counts once the run has reached the base's.
 BaseChange compare_with_formula(const BaseComponent& component, double reached, double whole, double end) {
     const auto part = std::span(component.velocity).first(count_samples(component, end));
     BaseChange change{records::compare_motions(part, part, {}, component.dt), false};

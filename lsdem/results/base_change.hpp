@@ -41,7 +41,7 @@ nlohmann::json to_json(const BaseChange& change);
 /// The same along x, y and z; null where not known.
 nlohmann::json to_json(const BaseChanges& changes);
 
-/// Of to_json. Throws nlohmann::json::exception for anything else.
+/// Changes that to_json() wrote. Throws nlohmann::json::exception for anything else.
 BaseChanges parse_base_changes(const nlohmann::json& json);
 
 }  // namespace musim::lsdem

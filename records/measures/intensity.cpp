@@ -57,10 +57,6 @@ scaling::Time compute_significant_duration(const TimeSeries& acceleration, doubl
     return detail::time_of_share(acceleration, energy, to) - detail::time_of_share(acceleration, energy, from);
 }
 
-TimeSeries level_uncorrected(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
-    return integration_corner ? remove_initial_level(series) : series;
-}
-
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
     const MotionHistories histories = compute_histories(series, integration_corner);
     Intensity intensity;
@@ -77,8 +73,7 @@ Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Fre
 MotionHistories compute_histories(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
     switch (series.quantity()) {
         case SampleQuantity::acceleration: {
-            const TimeSeries velocity =
-                integrate(integration_corner ? high_pass(remove_baseline(series, 0), *integration_corner, 2) : series);
+            const TimeSeries velocity = integrate_record(series, integration_corner);
             // a high-passed motion has no mean velocity; what is left of the ends of the record would become a drift
             const TimeSeries displacement = integrate(integration_corner ? remove_baseline(velocity, 0) : velocity);
             return {level_uncorrected(series, integration_corner), velocity, displacement};

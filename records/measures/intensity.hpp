@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "records/ground_motion.hpp"
+#include "records/processing/uncorrected.hpp"
 #include "records/time_series.hpp"
 
 namespace musim::records {
@@ -26,10 +27,6 @@ scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scalin
 /// Significant duration between two shares of the Arias intensity, D5-95 unless others are given, linear between samples; zero for a record
 /// without motion. Throws ProcessingError for other quantities and unless 0 <= from < to <= 1.
 scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from = 0.05, double to = 0.95);
-
-/// What measures of a record are taken from: with an integration corner (uncorrected records) the samples above their initial level
-/// (remove_initial_level), else the samples as they are.
-TimeSeries level_uncorrected(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner);
 
 /// Intensity measures of one component; those that its quantity does not give are left out.
 struct Intensity {

@@ -4,13 +4,13 @@
 
 #include <utility>
 
-#include "records/measures/intensity.hpp"
 #include "records/processing/cumulative.hpp"
+#include "records/processing/uncorrected.hpp"
 
 namespace musim::records {
 namespace {
 
-/// Of the whole series: mean, taper and high-pass, each noted.
+/// Mean, taper and high-pass of the whole series, each noted.
 TimeSeries filter_whole(TimeSeries series, const BaseMotionSettings& settings, std::vector<std::string>& steps) {
     if (settings.take_out_mean) {
         series = remove_baseline(series, 0);
@@ -41,10 +41,10 @@ TimeSeries count_from_first(const TimeSeries& velocity) {
 }
 
 RecordedMotion find_recorded(const TimeSeries& series, const BaseMotionSettings& settings) {
-    const bool is_displacement = series.quantity() == SampleQuantity::displacement;
-    const MotionHistories whole = compute_histories(is_displacement ? differentiate(series) : series, settings.integration_corner);
-    RecordedMotion part{.acceleration = {}, .velocity = cut_to(*whole.velocity, settings.window)};
-    if (whole.acceleration) part.acceleration = cut_to(*whole.acceleration, settings.window);
+    const bool is_acceleration = series.quantity() == SampleQuantity::acceleration;
+    const TimeSeries velocity = is_acceleration ? integrate_record(series, settings.integration_corner) : to_velocity(series);
+    RecordedMotion part{.acceleration = {}, .velocity = cut_to(velocity, settings.window)};
+    if (is_acceleration) part.acceleration = cut_to(level_uncorrected(series, settings.integration_corner), settings.window);
     if (settings.at_rest == AtRest::as_given) part.velocity = count_from_first(part.velocity);
     return part;
 }

@@ -24,7 +24,7 @@ struct BaseMotionSettings {
 /// enough to leave the strong motion alone: PGV of the papers' Ridgecrest record moves by 0.5 % between 0.005 and 0.05.
 inline constexpr double kDefaultTaper = 0.02;
 
-/// The part of a record that a base is to make, as compute_histories() has it of the whole record: before any filter but that of an
+/// The part of a record that a base is to make, as integrate_record() has it of the whole record: before any filter but that of an
 /// uncorrected one, and before it was brought to rest. One that is used as given is seen from the base as it begins: its velocity counts
 /// from its first one.
 struct RecordedMotion {

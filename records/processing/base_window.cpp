@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "records/measures/intensity.hpp"
+#include "records/processing/uncorrected.hpp"
 
 namespace musim::records {
 namespace {
@@ -33,7 +33,7 @@ struct WholeMotion {
     }
 };
 
-/// What the correction of a window takes: c = −v₀(1 − τ) − v_T τ + 6q τ(1 − τ) from the velocity, with q such that ∫ c dt = −(d_T − d_0)
+/// Cost of the correction of a window: c = −v₀(1 − τ) − v_T τ + 6q τ(1 − τ) from the velocity, with q such that ∫ c dt = −(d_T − d_0)
 /// for a base that comes home, 0 else; and its integral from the displacement, which begins d_0 from the record's zero.
 double find_cost(const WholeMotion& motion, const TimeWindow& window, bool home) {
     const std::size_t first = motion.find_sample(window.start), last = motion.find_sample(window.end);

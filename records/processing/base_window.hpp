@@ -7,7 +7,7 @@
 
 namespace musim::records {
 
-/// How far a window that is chosen may reach beyond the strong motion, at either end [fraction of the strong motion's length].
+/// Reach of a window that is chosen beyond the strong motion, at either end [fraction of the strong motion's length].
 inline constexpr double kWindowReach = 0.5;
 
 /// Cost below which a shorter window is worth more than a cheaper one [-]: what warns of a change of PGV.

@@ -7,7 +7,7 @@
 #include "records/processing/base_motion.hpp"
 #include "scaling/units.hpp"
 
-/// What a base makes of a record, against the record.
+/// Comparison of the motion that a base makes with the record that it was made from.
 namespace musim::records {
 
 /// Largest absolute values of a motion.

@@ -6,7 +6,7 @@
 /// a record scaled by factors that are powers of two gives the scaled result to the last bit. All throw ProcessingError.
 namespace musim::records {
 
-/// How the motion of a base begins and ends.
+/// Beginning and end of the motion of a base.
 enum class AtRest {
     home,       ///< at rest, and ends where it began
     displaced,  ///< at rest, wherever it ends

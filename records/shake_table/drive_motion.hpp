@@ -27,7 +27,7 @@ struct DriveMotion {
     TimeSeries acceleration, velocity, displacement;
 };
 
-/// How the record of a model becomes the acceleration of a base, as make_base_motion() makes its velocity: differentiated if it is no
+/// Recipe of the acceleration of a base from the record of a model, as make_base_motion() makes its velocity: differentiated if it is no
 /// acceleration, aligned if it has several components, mean (of an uncorrected record) out, a taper of kDefaultTaper where it is filtered,
 /// high-pass, bring_to_rest(). For a table, low-pass, amplitude and the controller's step come before the last. As steps of a recipe, to be
 /// carried out by process() and kept in the history.
