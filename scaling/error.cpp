@@ -1,5 +1,6 @@
 #include "scaling/error.hpp"
 
+#include "scaling/setting.hpp"
 #include "scaling/shorten.hpp"
 
 namespace musim {

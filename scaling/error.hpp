@@ -20,6 +20,12 @@ class Error : public std::runtime_error {
     /// The message with settings named as a caller does.
     std::string worded(SettingNames names) const;
 
+    /// The same problem with another remedy.
+    template <class Kind>
+    Kind with(const Remedy& remedy) const {
+        return Kind(problem_ ? *problem_ : what(), remedy);
+    }
+
     /// The same error seen from farther off: `place: ` stands before it.
     template <class Kind>
     Kind seen_from(const std::string& place) const {

@@ -1,5 +1,7 @@
 #include "scaling/remedy.hpp"
 
+#include "scaling/setting.hpp"
+
 namespace musim {
 
 std::string_view plain_name(Setting setting) {
@@ -18,6 +20,28 @@ std::string_view plain_name(Setting setting) {
             return "the columns";
         case Setting::skipped_lines:
             return "the number of lines to skip";
+        case Setting::factor:
+            return "a factor that is set";
+        case Setting::axes:
+            return "pairs of component and axis";
+        case Setting::specimen_folder:
+            return "a folder of specimens";
+        case Setting::specimen_count:
+            return "the number of other specimens";
+        case Setting::preparation:
+            return "a preparation of specimens in";
+        case Setting::specimen_list:
+            return "the JSON list of prepared specimens";
+        case Setting::overwriting:
+            return "leave to replace them";
+        case Setting::single_run:
+            return "a single run";
+        case Setting::sequence:
+            return "a sequence";
+        case Setting::run_resumption:
+            return "a resumption, as a run, of";
+        case Setting::sequence_resumption:
+            return "a resumption of";
     }
     return "";
 }

@@ -8,14 +8,10 @@
 
 namespace musim {
 
-/// Value that a caller of the library can give beside its input: a command by an option, a scene by a key, a program by an argument.
-enum class Setting { time_step, unit, quantity, sensitivity, station_response, columns, skipped_lines };
+enum class Setting : int;  // scaling/setting.hpp has them; this header is included nearly everywhere
 
 /// Names of settings in a caller's language, e.g. "--dt SECONDS".
 using SettingNames = std::string_view (*)(Setting);
-
-/// Name of a setting in plain words, e.g. "the time step".
-std::string_view plain_name(Setting setting);
 
 /// Advice about an error: words, and settings among them that each caller names in its own language.
 ///

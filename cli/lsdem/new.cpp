@@ -52,6 +52,14 @@ std::optional<lsdem::Triple<scaling::Length>> parse_block(const std::vector<std:
     return block;
 }
 
+/// Adds to the comments of a scene which commands go on from it.
+void name_commands(lsdem::ReadableText& text, bool has_record) {
+    text.comments[""].emplace_back("musim check FILE says what this means and draws it; musim run FILE -o DIR runs it");
+    text.comments["/material"].emplace_back("musim calibrate shows how to measure your own");
+    text.comments["/base_motion"].emplace_back(has_record ? "musim record info FILE lists the components of a record"
+                                                          : "musim new ... --record FILE takes a record instead");
+}
+
 int run_new(const NewOptions& options) {
     refuse_overwriting({options.record.record, options.material}, {options.out});
     refuse_existing(options);
@@ -63,6 +71,7 @@ int run_new(const NewOptions& options) {
         lsdem::scale_record(scene, lsdem::find_scale(wanted));
     }
     lsdem::ReadableText text = lsdem::comment_new_scene(wanted, scene);
+    name_commands(text, !options.record.record.empty());
     if (!options.out.empty()) text.folder = fs::absolute(options.out).parent_path();
     const std::string json = lsdem::write_readable_scene(scene, text);
     if (options.out.empty()) {

@@ -93,7 +93,7 @@ class PropertiesFiles {
             return records::apply_law(law, *formulas_, pair, length_);
         } catch (const scaling::SimilitudeError& error) {
             const scaling::UncertainInput* const moved = reading.moved_input();
-            if (moved == nullptr) throw scaling::SimilitudeError(fmt::format("{}: {}", options_.file, error.what()));
+            if (moved == nullptr) throw error.seen_from<scaling::SimilitudeError>(options_.file);
             throw scaling::SimilitudeError(
                 fmt::format("{}: {} is uncertain, and law {} admits its value alone ({}); give the value alone, or choose another law",
                             options_.file, moved->name, law.name(), error.what()));

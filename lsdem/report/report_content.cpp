@@ -131,13 +131,13 @@ class Reader {
             const fs::path results = folder / "members" / find_text(member, "name");
             if (find_text(member, "status", "failed") == "failed") continue;
             if (!fs::exists(results / "summary.json")) {
-                content.remarks.push_back(fmt::format("{}: the results are gone; `musim ensemble` makes them again", results.string()));
+                content.remarks.push_back(fmt::format("{}: the results are gone; run the ensemble again", results.string()));
             } else if (content.runs.empty()) {
                 add_run(results, results.filename().string());
             }
         }
         if (content.runs.empty()) {
-            content.remarks.push_back(fmt::format("{}: no member has results; run `musim ensemble` again", folder.string()));
+            content.remarks.push_back(fmt::format("{}: no member has results; run the ensemble again", folder.string()));
         }
         content.ensembles.push_back(std::move(ensemble));
     }
@@ -163,8 +163,7 @@ class Reader {
             content.documents.push_back({.label = file.filename().string(), .json = std::move(document)});
         } else {
             content.remarks.push_back(fmt::format(
-                "{}: holds no JSON object (it is damaged, or of another program); give what a musim command has printed with --json",
-                file.string()));
+                "{}: holds no JSON object (it is damaged, or of another program); give JSON that musim has written", file.string()));
         }
     }
 
@@ -205,16 +204,15 @@ class Reader {
             return alone && !has_room(folder, ReportKind::run) ? void() : add_run(folder, label);
         }
         if (!fs::exists(folder)) {
-            content.remarks.push_back(
-                fmt::format("{}: there is no such folder or file; give the directory of `musim run -o`", folder.string()));
+            content.remarks.push_back(fmt::format("{}: there is no such folder or file; give a directory of results", folder.string()));
             return;
         }
         const std::vector<fs::path> specimens = find_specimens(folder);
         for (const fs::path& specimen : specimens) add_specimen(specimen);
         if (specimens.empty() && !unfinished) {
             content.remarks.push_back(
-                fmt::format("{}: there are no results of `musim run`, `pair`, `sequence`, `ensemble` or `specimen` here; give the "
-                            "folder that one of them was given as -o",
+                fmt::format("{}: there are no results of a run, pair, sequence or ensemble and no specimens here; give a folder that "
+                            "has some",
                             folder.string()));
         }
     }
@@ -234,13 +232,12 @@ class Reader {
     bool note_unfinished(const fs::path& folder) {
         const WatchedFolder watched = look_into(folder);
         if (watched.state == FolderState::working) {
-            content.remarks.push_back(
-                fmt::format("{}: a musim works here now; what is shown is older (`musim watch {}`)", folder.string(), folder.string()));
+            content.remarks.push_back(fmt::format("{}: a musim works here now; what is shown is older", folder.string()));
         }
         if (watched.state != FolderState::killed) return watched.state == FolderState::working;
         std::string text = fmt::format("{}: a run was killed here before it had results", folder.string());
         for (const WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
-        content.remarks.push_back(text + "; continue it with --resume");
+        content.remarks.push_back(text + "; it can be resumed");
         return true;
     }
 
@@ -296,8 +293,7 @@ ReportContent read_content(const std::vector<fs::path>& places, const RecordRead
     ReportContent& content = reader.content;
     if (content.runs.empty() && content.specimens.empty() && content.records.empty() && content.documents.empty() &&
         content.ensembles.empty() && content.summary.is_null()) {
-        throw ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
-                                                  : content.remarks.front());
+        throw ResultError(content.remarks.empty() ? "there is nothing to report on; give a directory of results" : content.remarks.front());
     }
     if (content.kind == ReportKind::nothing && !content.runs.empty()) {
         content.kind = content.runs.size() == 1 ? ReportKind::run : ReportKind::runs;

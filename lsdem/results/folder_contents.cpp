@@ -11,6 +11,7 @@
 #include "lsdem/results/scene_files.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "records/atomic_file.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -52,7 +53,7 @@ std::optional<FolderContents> read_usable_contents(const fs::path& directory) {
 }
 
 [[noreturn]] void refuse_overwriting(const fs::path& file, const std::string& what) {
-    throw ResultError(fmt::format("{}: {}; choose another directory, or replace them with --force", file.string(), what));
+    throw ResultError(fmt::format("{}: {}", file.string(), what), Remedy{"choose another directory, or take ", Setting::overwriting});
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ void refuse_other_results(const fs::path& directory, const ResultOrigin& origin)
                            fmt::format("here are results of musim {}, this is {}", there->origin.program_version, origin.program_version));
     }
     if (const std::string names = name_differences(there->origin, origin); !names.empty()) {
-        refuse_overwriting(file, fmt::format("here are results of another scene or other options (these differ: {})", names));
+        refuse_overwriting(file, fmt::format("here are results of another scene or other settings (these differ: {})", names));
     }
 }
 

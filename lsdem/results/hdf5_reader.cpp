@@ -16,7 +16,7 @@ std::string check_file(const std::filesystem::path& path) {
     const std::string obstacle = scaling::find_obstacle(path);
     if (!obstacle.empty()) {
         throw ResultError(
-            fmt::format("{}: cannot be read ({}); name what `musim run -o DIR` or `musim specimen` has written", path.string(), obstacle));
+            fmt::format("{}: cannot be read ({}); name the results of a run, or a prepared specimen", path.string(), obstacle));
     }
     return require_checksum(path);
 }

@@ -130,9 +130,8 @@ void read_summary(const fs::path& path, const std::string& result, StoredRun& ru
 
 StoredRun read_run(const fs::path& directory, Reading reading) {
     if (!fs::is_directory(directory)) {
-        throw ResultError(
-            fmt::format("{}: is no directory of results (there is none of that name); name one that `musim run -o DIR` has written",
-                        directory.string()));
+        throw ResultError(fmt::format("{}: is no directory of results (there is none of that name); name one that a run has written",
+                                      directory.string()));
     }
     require_complete(directory);
     StoredRun run;

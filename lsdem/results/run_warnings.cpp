@@ -61,12 +61,12 @@ void warn_of_sudden_weight(const RunResult& run, double peak, std::vector<std::s
     } else if (const auto fallen = find_first_fall(run)) {
         warnings.push_back(fmt::format(
             "the base bore {:.3g} of the weight when the motion began (the blocks are not in equilibrium where they are drawn), "
-            "and {} fell at {:.4g} s; draw it where it is supported, or see what `musim check` says of the scene",
+            "and {} fell at {:.4g} s; draw it where it is supported, or see what a check of the scene reports",
             borne, run.blocks.describe(*fallen), run.falls.time[*fallen]));
     } else {
         warnings.push_back(fmt::format(
             "the base bore {:.3g} of the weight when the motion began (the blocks are not in equilibrium where they are drawn, and "
-            "move when weight begins to act); see what `musim check` says of the scene: where they can stand, a \"preparation\" lets them "
+            "move when weight begins to act); see what a check of the scene reports: where they can stand, a \"preparation\" lets them "
             "come to rest before",
             borne));
     }

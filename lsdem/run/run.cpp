@@ -185,7 +185,7 @@ std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, const Run
     std::optional<Rest> rest = settle_specimen(simulation, specimen, plan, settings, from);
     if (rest->collapsed) {
         throw SceneError(
-            fmt::format("{}: {} (a comparison needs a structure that stands); draw it where it stands, or `musim run` it to look at it",
+            fmt::format("{}: {} (a comparison needs a structure that stands); draw it where it stands, or run it alone to see it fall",
                         scene.place(), describe_fallen(rest->fallen, make_block_table(specimen))));
     }
     put_in_place(find_places(simulation), specimen);

@@ -17,6 +17,7 @@
 #include "lsdem/run/staged_run.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -194,10 +195,9 @@ class Sequence {
 /// Refuses to write over an unfinished sequence.
 void refuse_old_checkpoint(const fs::path& directory) {
     if (fs::exists(directory / kCheckpointName)) {
-        throw ResultError(
-            fmt::format("{0}: an unfinished run left its checkpoint here; continue it with `musim sequence --resume {0}`, or "
-                        "remove {1} and the stages to start anew",
-                        directory.string(), (directory / kCheckpointName).string()));
+        throw ResultError(fmt::format("{}: an unfinished run left its checkpoint here", directory.string()),
+                          Remedy{"continue it with ", Setting::sequence_resumption, " ", directory.string(), ", or remove ",
+                                 (directory / kCheckpointName).string(), " and the stages to start anew"});
     }
 }
 
@@ -236,8 +236,8 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
     Checkpoint checkpoint = read_checkpoint(file, settings.version);
     const Scene scene = parse_scene(checkpoint.scene, file);
     if (scene.motions.empty()) {
-        throw ResultError(fmt::format("{}: the checkpoint is of a single run; continue it with `musim run --resume {}`", file.string(),
-                                      settings.directory.string()));
+        throw ResultError(fmt::format("{}: the checkpoint is of a single run", file.string()),
+                          Remedy{"continue it with ", Setting::run_resumption, " ", settings.directory.string()});
     }
     folder.set_origin(find_origin(scene, settings), Overwriting::resume);
     SequencePlan plan = plan_sequence(scene);

@@ -10,6 +10,7 @@
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -65,8 +66,8 @@ void check_seam(const Scene& scene, const SequenceStage& before, std::size_t ent
 SequencePlan plan_sequence(const Scene& scene, Sampling sampling) {
     std::vector<StageScene> scenes = expand_motions(scene);
     if (scenes.empty()) {
-        throw SceneError(
-            fmt::format("{}: has no list of motions (one motion is a plain run); use `musim run`, or give \"motions\"", scene.place()));
+        throw SceneError(fmt::format("{}: has no list of motions (one motion is a plain run)", scene.place()),
+                         Remedy{"use ", Setting::single_run, ", or give \"motions\""});
     }
     SequencePlan plan;
     plan.specimen = make_upright_specimen(scenes.front().scene);

@@ -51,7 +51,7 @@ void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::p
         refuse(file, fmt::format("it has format {}, this program reads {} (another version wrote it); move it and prepare it again", format,
                                  kFormat));
     }
-    refuse(file, "not a specimen (musim specimen makes them); name another file");
+    refuse(file, "not a prepared specimen; name another file");
 }
 
 /// Friction of the contacts of a specimen, at the weights of `model`.

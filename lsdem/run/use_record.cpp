@@ -40,7 +40,7 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
     const records::GroundMotion motion = records::read_record(file, reading);
     std::vector<std::string> steps;
     for (const std::string& line : motion.history) {
-        if (line.find(records::kUnitNotGiven) != std::string::npos) steps.push_back(line + "; add --unit if that is wrong");
+        if (line.find(records::kUnitNotGiven) != std::string::npos) steps.push_back(line + "; give the unit if that is wrong");
         if (line.starts_with(records::kReadingNote)) steps.push_back(line.substr(std::string_view(records::kReadingNote).size()));
     }
 

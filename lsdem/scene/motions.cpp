@@ -10,6 +10,7 @@
 #include "lsdem/scene/detail/scene_fields.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/detail/overloaded.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -87,10 +88,8 @@ std::vector<StageScene> expand_motions(const Scene& scene) {
 
 void require_single_motion(const Scene& scene, const std::string& what) {
     if (scene.motions.empty()) return;
-    throw SceneError(
-        fmt::format("{}: /motions: {} takes one motion (this is a list of them, for one structure); use `musim sequence`, or give a "
-                    "\"base_motion\" instead",
-                    scene.place(), what));
+    throw SceneError(fmt::format("{}: /motions: {} takes one motion (this is a list of them, for one structure)", scene.place(), what),
+                     Remedy{"use ", Setting::sequence, ", or give a \"base_motion\" instead"});
 }
 
 }  // namespace musim::lsdem

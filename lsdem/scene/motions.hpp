@@ -25,7 +25,7 @@ std::vector<StageScene> expand_motions(const Scene& scene);
 /// is cut. Throws as make_base_components does.
 std::vector<std::string> describe_cut_motions(const Scene& scene);
 
-/// Throws SceneError for a scene with a list of motions, where only one can be used. `what` cannot: "musim pair".
+/// Throws SceneError for a scene with a list of motions, where only one can be used. `what` cannot: "a pair".
 void require_single_motion(const Scene& scene, const std::string& what);
 
 }  // namespace musim::lsdem

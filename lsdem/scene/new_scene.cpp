@@ -154,7 +154,7 @@ SignalMotion make_motion(const scaling::Similitude& similitude) {
 std::vector<std::string> comment_structure(const std::string& kind) {
     const std::string block = "block: thin edge b, wide edge w, height H";
     const std::string heights =
-        "height_deviation: standard deviation of your blocks' heights, e.g. \"0.1 mm\"; each seed draws other heights (see musim ensemble)";
+        "height_deviation: standard deviation of your blocks' heights, e.g. \"0.1 mm\"; each seed draws other heights";
     if (kind == "tower") {
         return {block, "tiling: ring_14 has 14 blocks a layer; others are ring_18, solid_22, solid_6, solid_2, and full, the papers' 188",
                 heights};
@@ -168,12 +168,12 @@ std::vector<std::string> comment_structure(const std::string& kind) {
 std::vector<std::string> comment_motion(const Scene& scene) {
     if (std::holds_alternative<RecordMotion>(scene.base_motion.source)) {
         return {
-            "components: the record's component along x, y, z (musim record info FILE lists them)",
+            "components: the record's component along x, y, z",
             "window: the part that is used, in the record's own time; time.duration is its length at the model's scale",
             "scale: the similitude between the prototype, whose record this is, and the model; leave it out for a record of your table"};
     }
     return {"a synthetic earthquake at the model's scale; another seed makes another with the same peaks",
-            "your own record: musim new ... --record FILE, or write here { \"record\": \"FILE\", \"components\": { \"x\": \"NAME\" } }"};
+            "your own record: { \"record\": \"FILE\", \"components\": { \"x\": \"NAME\" } }"};
 }
 
 }  // namespace
@@ -209,11 +209,10 @@ ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene) {
     ReadableText text;
     const scaling::Similitude similitude = make_similitude(find_scale(wanted));
     const MaterialPreset* const preset = find_preset(wanted.material);
-    text.comments[""] = {"quantities are texts with units; a fraction may stand for a number; texts under \"comment\" are for people",
-                         "musim check FILE says what this means and draws it; musim run FILE -o DIR runs it"};
+    text.comments[""] = {"quantities are texts with units; a fraction may stand for a number; texts under \"comment\" are for people"};
     text.comments["/material"] = {fmt::format("{} ({}), fitted to this block: stiffness of a whole face across H", wanted.material.name,
                                               preset != nullptr ? preset->source : "own material"),
-                                  "musim calibrate shows how to measure your own; friction and restitution are those of the contact"};
+                                  "friction and restitution are those of the contact"};
     text.comments["/structure"] = comment_structure(wanted.kind);
     text.comments["/base_motion"] = comment_motion(scene);
     text.comments["/time"] = {"step: auto takes `safety` times the critical step of the structure; or give a time"};

@@ -1,5 +1,7 @@
 #include "lsdem/scene/scene_key.hpp"
 
+#include "scaling/setting.hpp"
+
 namespace musim::lsdem {
 
 std::string_view scene_key(Setting setting) {
@@ -18,6 +20,8 @@ std::string_view scene_key(Setting setting) {
             return "\"columns\"";
         case Setting::skipped_lines:
             return "\"skip\"";
+        case Setting::factor:
+            return "\"set\": {\"NAME\": NUMBER}";
         default:
             return plain_name(setting);
     }

@@ -47,9 +47,7 @@ std::vector<Vector3> to_vectors(const std::vector<double>& values, double unit) 
     return vectors;
 }
 
-[[noreturn]] void refuse_other(const detail::Hdf5Reader& file) {
-    file.fail("is no ensemble that musim ensemble -o DIR has written; name another directory");
-}
+[[noreturn]] void refuse_other(const detail::Hdf5Reader& file) { file.fail("is no ensemble; name the directory of one"); }
 
 /// 0, 1, 2 for "x", "y", "z".
 int find_axis(const std::string& name) {

@@ -14,6 +14,7 @@
 #include "lsdem/study/sample_moments.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/regular_file.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -42,6 +43,10 @@ std::vector<double> distances_from_median(std::vector<double> sample) {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
     throw ResultError(fmt::format("{}: {}", file.string(), what));
+}
+
+[[noreturn]] void refuse_other(const std::filesystem::path& file, const std::string& what) {
+    throw ResultError(fmt::format("{}: {}", file.string(), what), Remedy{"name ", Setting::specimen_list});
 }
 
 ListedSpecimen read_specimen_entry(const nlohmann::json& entry, const std::filesystem::path& file) {
@@ -138,12 +143,12 @@ double SpecimenSet::block_steps() const {
 SpecimenSet read_specimen_set(const std::filesystem::path& file) {
     SpecimenSet set{.name = file.string()};
     std::ifstream in = scaling::open_regular_file(file);
-    if (!in) refuse(file, "cannot be opened; name what `musim specimen --json` printed");
+    if (!in) refuse_other(file, "cannot be opened");
     try {
         const nlohmann::json given = nlohmann::json::parse(in);
         for (const nlohmann::json& entry : given.at("specimens")) set.specimens.push_back(read_specimen_entry(entry, file));
     } catch (const nlohmann::json::exception&) {
-        refuse(file, "not what `musim specimen --json` prints (another file, or one cut off); name such a file");
+        refuse_other(file, "is no list of specimens (another file, or one cut off)");
     }
     if (set.specimens.empty()) refuse(file, "has no specimen; prepare some");
     std::set<std::uint64_t> seeds;

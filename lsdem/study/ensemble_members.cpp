@@ -24,6 +24,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/interruption.hpp"
+#include "scaling/setting.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem {
@@ -40,10 +41,10 @@ void require_ensemble(const Scene& scene) {
                         scene.place()));
     }
     if (scene.preparation && scene.preparation->specimen) {
-        throw SceneError(fmt::format(
-            "{}: names one specimen, {} (members have blocks of other heights); leave \"preparation.specimen\" out, each is then "
-            "laid by itself, or comes from the folder of --specimens",
-            scene.place(), scene.preparation->specimen->string()));
+        throw SceneError(
+            fmt::format("{}: names one specimen, {} (members have blocks of other heights)", scene.place(),
+                        scene.preparation->specimen->string()),
+            Remedy{"leave \"preparation.specimen\" out: each is then prepared by itself, or comes from ", Setting::specimen_folder});
     }
     if (!scene.time.step && !(scene.output.spine_rate.value() > 0.0)) {
         throw SceneError(fmt::format(
@@ -156,8 +157,8 @@ void use_prepared_specimens(std::vector<EnsembleMember>& members, const std::fil
     for (EnsembleMember& member : members) {
         const std::filesystem::path file = folder / specimen_file_of(member.scene);
         if (!std::filesystem::exists(file)) {
-            throw ResultError(fmt::format("{}: does not exist, so member {} has no name yet; prepare it with musim specimen -o {}",
-                                          file.string(), member.seed, folder.string()));
+            throw ResultError(fmt::format("{}: does not exist, so member {} has no name yet", file.string(), member.seed),
+                              Remedy{"make it by ", Setting::preparation, " ", folder.string()});
         }
         member = with_specimen(member, file, version);
     }

@@ -21,6 +21,7 @@
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_models.hpp"
 #include "lsdem/study/twin_files.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -148,9 +149,8 @@ class OtherSpecimens {
         const bool drawn = find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
         if (how.specimens.value_or(0) > 0 && !drawn) {
             throw SceneError(
-                fmt::format("{}: its block heights are not drawn (height_deviation), so it has one specimen only; leave "
-                            "--specimens out",
-                            prototype.place()));
+                fmt::format("{}: its block heights are not drawn (height_deviation), so it has one specimen only", prototype.place()),
+                Remedy{"leave ", Setting::specimen_count, " out"});
         }
         if (drawn) count_ = how.specimens.value_or(own ? kOtherSpecimens : 0);
         share_ = static_cast<double>(runs) / static_cast<double>(runs + 2 * count_);

@@ -175,8 +175,8 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     const bool scaled = std::any_of(study.models.begin(), study.models.end(),
                                     [](const PairedRun& model) { return model.materials == Materials::exact && !model.scene; });
     if (scaled || study.models.empty()) {
-        add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own "
-            "(--materials own).");
+        add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own, "
+            "which a comparison with its own materials has, too.");
     }
     return lines;
 }

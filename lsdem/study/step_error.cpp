@@ -46,7 +46,7 @@ std::string describe(const StepError& error) {
     const QuantityCheck* const peak = find_top(error.quantities, "peak_velocity");
     if (peak != nullptr) text += fmt::format("; the peak velocity of the top changes by {}", format_percent(peak->difference));
     if (error.has_twins) return text + ": the error of the step, which twins share.";
-    return text + (error.parting_time ? ": the error of the step, and late in the run chance (twins of `musim pair` say from when)."
+    return text + (error.parting_time ? ": the error of the step, and late in the run chance (twins of a pair say from when)."
                                       : ": the error of the step.");
 }
 

@@ -23,7 +23,7 @@ const TableAxis& find_axis(const ShakeTable& table, const GivenPeaks& given, con
     try {
         return table.find_axis(given.axis);
     } catch (const ReadError& error) {
-        throw ReadError(fmt::format("{}: record: peaks: axis: {}", source, error.what()));
+        throw error.seen_from<ReadError>(source + ": record: peaks: axis");
     }
 }
 

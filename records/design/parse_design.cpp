@@ -161,11 +161,11 @@ void check_laws(const JsonReader& fields, const Design& design) {
             try {
                 const Models models(design, material, law);
             } catch (const scaling::MissingFactor& error) {
-                throw ReadError(fmt::format(
-                    R"({}: laws: {}: {}; in a design {{"law": "{}", "set": {{"NAME": NUMBER}}}} gives it, or "hold": [...] lets it follow)",
-                    fields.place(), material.name, error.what(), law.name()));
+                const std::string remedy =
+                    fmt::format(R"(give it by {{"law": "{}", "set": {{"NAME": NUMBER}}}}, or let it follow by "hold": [...])", law.name());
+                throw error.with<ReadError>(remedy).seen_from<ReadError>(fmt::format("{}: laws: {}", fields.place(), material.name));
             } catch (const scaling::PiError& error) {
-                throw ReadError(fmt::format("{}: laws: {}", fields.place(), error.what()));
+                throw error.seen_from<ReadError>(fields.place() + ": laws");
             } catch (const scaling::SimilitudeError&) {
                 continue;
             }

@@ -27,10 +27,10 @@ KnownFactors find_known(const DesignLaw& law, const scaling::PairProperties& pro
 
 void require_single_length(const DesignLaw& law) {
     if (law.has("l")) return;
-    throw scaling::SimilitudeError(fmt::format(
-        "law {}: it settles no single length l (groups and motion of a real model are held against one); choose another law, or ask "
-        "`musim design`, which takes it",
-        law.name()));
+    throw scaling::SimilitudeError(
+        fmt::format("law {}: it settles no single length l (groups and motion of a real model are held against one); choose another law "
+                    "(a design takes this one)",
+                    law.name()));
 }
 
 /// A gravity that the law sets is where the model stands.

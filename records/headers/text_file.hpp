@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "records/error.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::records::detail {
 

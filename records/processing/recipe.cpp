@@ -252,7 +252,7 @@ GroundMotion process(const GroundMotion& motion, const Recipe& recipe) {
             next.history.insert(next.history.begin() + static_cast<std::ptrdiff_t>(processed.history.size()), to_json(recipe[i]).dump());
             processed = std::move(next);
         } catch (const ProcessingError& error) {
-            throw ProcessingError(fmt::format("step {} ({}): {}", i + 1, kNames[recipe[i].index()], error.what()));
+            throw error.seen_from<ProcessingError>(fmt::format("step {} ({})", i + 1, kNames[recipe[i].index()]));
         }
     }
     return processed;

@@ -8,6 +8,7 @@
 
 #include "records/error.hpp"
 #include "records/json_rules.hpp"
+#include "scaling/setting.hpp"
 #include "scaling/shorten.hpp"
 
 namespace musim::records {
@@ -178,9 +179,10 @@ std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& 
         const auto axis =
             std::find_if(free.begin(), free.end(), [&](const TableAxis* each) { return is_vertical_axis(*each) == vertical; });
         if (axis == free.end()) {
-            throw ReadError(fmt::format("{}: the table has no {} axis left for component {}; choose components with --axis {}=AXIS",
-                                        motion.source.empty() ? "record" : motion.source, vertical ? "vertical" : "horizontal",
-                                        component.name, motion.components.front().name));
+            throw ReadError(
+                fmt::format("{}: the table has no {} axis left for component {}", motion.source.empty() ? "record" : motion.source,
+                            vertical ? "vertical" : "horizontal", component.name),
+                Remedy{"choose components with ", Setting::axes});
         }
         pairs.emplace_back(component.name, (*axis)->name);
         free.erase(axis);

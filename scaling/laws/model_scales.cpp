@@ -7,6 +7,7 @@
 
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/named_factors.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::scaling {
 
@@ -94,10 +95,9 @@ std::string find_length_name(const ScaleLaw& law, const std::vector<GivenFactor>
                         law.name, set.empty() ? "" : " beside the factors that are set",
                         set.empty() ? "choose another law, or add a length to it" : "leave one of them out, or the length scale"));
     }
-    throw SimilitudeError(fmt::format(
-        "law {}: {} are lengths to be chosen (a model's length scale is that of one alone); set the factors of all others, e.g. "
-        "by --set {}=1/25",
-        law.name, fmt::join(names, " and "), names.back()));
+    throw SimilitudeError(fmt::format("law {}: {} are lengths to be chosen (a model's length scale is that of one alone)", law.name,
+                                      fmt::join(names, " and ")),
+                          Remedy{"give the factors of all others, e.g. of " + names.back() + ", each as ", Setting::factor});
 }
 
 }  // namespace musim::scaling

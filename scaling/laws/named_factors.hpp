@@ -10,6 +10,7 @@
 #include "scaling/laws/law_formulas.hpp"
 #include "scaling/laws/model_scales.hpp"
 #include "scaling/rational_dimension.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::scaling::detail {
 
@@ -19,8 +20,9 @@ class NamedFactors {
     NamedFactors(const LawFormulas& formulas, const ChosenFactors& chosen)
         : formulas_(formulas), solved_(formulas.solved()), chosen_(chosen) {}
 
-    [[noreturn]] void fail(std::string_view what) const {
-        throw SimilitudeError(fmt::format("law {}: {}; `musim scale` takes it, a similitude of motions does not", solved_.law.name, what));
+    /// Throws SimilitudeError `law NAME: what; remedy`.
+    [[noreturn]] void fail(std::string_view what, const Remedy& remedy = "choose another law (a similitude of motions needs more)") const {
+        throw SimilitudeError(fmt::format("law {}: {}", solved_.law.name, what), remedy);
     }
 
     /// The factor of a quantity; none when the law does not have it.
@@ -32,7 +34,7 @@ class NamedFactors {
             static const RationalDimension kExpected = rational_dimension_of<Quantity>();
             if (quantity.dimension != kExpected) fail(fmt::format("its {} has another dimension than expected", name));
             const auto value = formulas_.factor(j, chosen_);
-            if (!value) fail(fmt::format("{} is open (give --set {}=NUMBER)", name, name));
+            if (!value) fail(fmt::format("{} is open", name), Remedy{"give it as ", Setting::factor});
             return value;
         }
         return std::nullopt;

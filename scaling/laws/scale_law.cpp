@@ -7,6 +7,7 @@
 
 #include "scaling/factor_rounding.hpp"
 #include "scaling/laws/scale_text.hpp"
+#include "scaling/setting.hpp"
 
 namespace musim::scaling {
 
@@ -144,8 +145,8 @@ SolvedLaw solve_law(const ScaleLaw& law, const std::vector<GivenFactor>& given) 
     for (const LawChoice& choice : law.choices) {
         const std::size_t j = find_quantity(problem.quantities, choice.name);
         if (choice.fallback || !is_open(solution, j)) continue;
-        throw MissingFactor(fmt::format("law {}: the factor of {} ({}) is missing; give it (--set {}=NUMBER), or another that settles it",
-                                        law.name, choice.name, law.quantities[j].meaning, choice.name));
+        throw MissingFactor(fmt::format("law {}: the factor of {} ({}) is missing", law.name, choice.name, law.quantities[j].meaning),
+                            Remedy{"give it as ", Setting::factor, ", or another that settles it"});
     }
     return solved;
 }

@@ -1,13 +1,14 @@
 #include <doctest/doctest.h>
 
 #include "cli/option_name.hpp"
+#include "scaling/setting.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace musim;
 using namespace musim::cli;
 
 TEST_CASE("every setting has a name in plain words and one of the command line") {
-    for (int i = 0; i <= static_cast<int>(Setting::skipped_lines); ++i) {
+    for (int i = 0; i <= static_cast<int>(Setting::sequence_resumption); ++i) {
         const auto setting = static_cast<Setting>(i);
         CHECK_MESSAGE(!plain_name(setting).empty(), i);
         CHECK_MESSAGE(plain_name(setting).find("--") == std::string_view::npos, plain_name(setting));

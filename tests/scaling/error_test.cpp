@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "scaling/setting.hpp"
+
 namespace musim {
 namespace {
 
@@ -22,6 +24,11 @@ TEST_CASE("an error that is seen from farther off keeps its remedy") {
     const Error plain("no remedy");
     CHECK(plain.worded(bracketed) == "no remedy");
     CHECK(std::string(plain.seen_from<Error>("here").what()) == "here: no remedy");
+}
+
+TEST_CASE("an error takes another remedy in the place of its own") {
+    CHECK(std::string(kError.with<Error>("convert it").what()) == "a.txt: no unit (none is stated); convert it");
+    CHECK(std::string(Error("no remedy").with<Error>("convert it").what()) == "no remedy; convert it");
 }
 
 }  // namespace

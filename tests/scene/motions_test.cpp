@@ -125,7 +125,6 @@ TEST_CASE("bad lists of motions are refused with their place") {
 }
 
 TEST_CASE("what takes one motion says what to do with a list of them") {
-    check_message(error_of([] { require_single_motion(make_scene(), "a pair"); }),
-                  {"/motions: a pair takes one motion", "use `musim sequence`"});
+    check_message(error_of([] { require_single_motion(make_scene(), "a pair"); }), {"/motions: a pair takes one motion", "use a sequence"});
     CHECK_NOTHROW(require_single_motion(parse_scene(make_scene_text(kColumn, kRicker)), "a pair"));
 }

@@ -253,6 +253,6 @@ TEST_CASE("bands whose summary is of another kind than is expected are refused")
                                        R"({"format": "musim-ensemble/1", "axis": "q", )" + scales + "}",
                                        R"({"format": "musim-ensemble/1", "axis": 0, )" + scales + "}"}) {
         CAPTURE(summary);
-        CHECK_THROWS_WITH_AS(read(summary), doctest::Contains("is no ensemble that musim ensemble -o DIR has written"), ResultError);
+        CHECK_THROWS_WITH_AS(read(summary), doctest::Contains("is no ensemble; name the directory of one"), ResultError);
     }
 }

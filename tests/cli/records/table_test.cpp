@@ -195,7 +195,7 @@ TEST_CASE("a table judges models of a law as data, and finds their length scales
     const Outcome incomplete = here.run(std::string(kArguments) + "--law gravity_distorted");
     CHECK(incomplete.exit_code != 0);
     CHECK(incomplete.has_one_error_line());
-    CHECK(incomplete.err.find("give it (--set a=NUMBER)") != std::string::npos);
+    CHECK(incomplete.err.find("give it as --set NAME=NUMBER") != std::string::npos);
 }
 
 TEST_CASE("a table may end displaced, and does not take a motion that never stops") {

@@ -137,7 +137,7 @@ TEST_CASE("components find their axes by themselves or as given") {
     CHECK_THROWS_WITH(assign_axes(three_components(), table, {{"360", "w"}}), "the table has no axis \"w\"; choose one of x, y, vertical");
     const ShakeTable uniaxial = parse_shake_table(axis(R"("velocity": "1 m/s")"), "t.json");
     CHECK_THROWS_WITH(assign_axes(three_components(), uniaxial, {}),
-                      "a.v1: the table has no vertical axis left for component Up; choose components with --axis Up=AXIS");
+                      "a.v1: the table has no vertical axis left for component Up; choose components with pairs of component and axis");
 }
 
 TEST_CASE("a component that is a rotation moves no axis") {

@@ -120,8 +120,8 @@ TEST_CASE("a law with two lengths to be chosen asks for all but one") {
         parse_own(kOwnQuantities + std::string(R"("chosen": [{"name": "z"}, {"name": "x"}, {"name": "g"}, {"name": "rho"}])"));
     CHECK_THROWS_WITH_AS(
         find_length_name(law, {}),
-        "law own: z and x are lengths to be chosen (a model's length scale is that of one alone); set the factors of all others, e.g. by "
-        "--set x=1/25",
+        "law own: z and x are lengths to be chosen (a model's length scale is that of one alone); give the factors of all others, e.g. of "
+        "x, each as a factor that is set",
         SimilitudeError);
     CHECK(find_length_name(law, {{"x", 0.5}}) == "z");
     CHECK(find_length_name(law, {{"z", 0.5}}) == "x");

@@ -130,7 +130,7 @@ TEST_CASE("results of another scene or version or command are not replaced unask
     const auto refusal = [&](const ResultOrigin& origin) {
         return message_of<ResultError>([&] { ResultFolder(place.path(), origin, Overwriting::refuse); });
     };
-    const std::string remedy = "; choose another directory, or replace them with --force";
+    const std::string remedy = "; choose another directory, or take leave to replace them";
     CHECK(refusal(make_origin("old")).empty());
     CHECK(refusal(make_origin("new")) ==
           contents.string() + ": here are results of another scene or other options (these differ: material)" + remedy);

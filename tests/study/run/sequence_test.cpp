@@ -335,7 +335,7 @@ TEST_CASE("a sequence is resumed with the same records only, where there is one,
     CHECK(message_of<std::runtime_error>([&] { resume_sequence(settings_for(out)); }).find("no checkpoint") != std::string::npos);
     CHECK_FALSE(fs::exists(out));
     kill_at(&scene, out, 0.9);
-    CHECK(message_of<std::runtime_error>([&] { shake(scene, out); }).find("musim sequence --resume") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] { shake(scene, out); }).find("continue it with a resumption of") != std::string::npos);
     folder.write("record.csv", "0 0 0\n0.01 2 0\n0.02 -2 0\n0.03 0 0\n0.04 0 0\n0.05 0 0\n");
     const std::string changed = message_of<ResultError>([&] { resume_sequence(settings_for(out)); });
     CHECK_MESSAGE(changed.find("has a record of the scene or the program changed") != std::string::npos, changed);
@@ -371,12 +371,12 @@ TEST_CASE("motions that the base could only join by a jump are refused before an
     refused(half + ", " + sine("0.1 g", R"(, "settle": false)"), "/motions/1: the base would jump by 0.195 m/s from stage-01-sine");
     CHECK_NOTHROW(plan_sequence(make_sequence_scene(kColumn, sine("0.1 g") + ", " + step)));
     const Scene plain = parse_scene(make_text(kColumn, R"("base_motion": null)"));
-    CHECK(message_of<std::runtime_error>([&] { plan_sequence(plain); }).find("use `musim run`") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] { plan_sequence(plain); }).find("use a single run") != std::string::npos);
 }
 
 TEST_CASE("a scene with a list of motions is refused where one can be used") {
     const Scene scene = make_sequence_scene(kColumn, sine("0.1 g"));
-    CHECK(message_of<std::runtime_error>([&] { run_scene(scene); }).find("use `musim sequence`") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] { run_scene(scene); }).find("use a sequence") != std::string::npos);
 }
 
 TEST_CASE("a sequence gives the same files with any number of threads") {
