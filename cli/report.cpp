@@ -74,7 +74,7 @@ bool report_divergence(const std::string& where, const lsdem::RunResult& run) {
     return true;
 }
 
-void report_doubts(const std::string& where, const lsdem::RunResult& run) {
+void report_warnings(const std::string& where, const lsdem::RunResult& run) {
     for (const std::string& warning : lsdem::find_warnings(run)) note("musim: warning: {}: {}\n", where, warning);
 }
 

@@ -41,7 +41,7 @@ std::vector<std::string> describe_elasticity(const scaling::ModelScales& scales)
 bool report_divergence(const std::string& where, const lsdem::RunResult& run);
 
 /// One line on stderr, `musim: warning: ...`, for everything doubtful about a run that reached its end.
-void report_doubts(const std::string& where, const lsdem::RunResult& run);
+void report_warnings(const std::string& where, const lsdem::RunResult& run);
 
 /// The scene of a file; what is to be said about its text, on stderr, `musim: warning: ...`.
 lsdem::Scene read_scene(const std::filesystem::path& file);

@@ -19,10 +19,9 @@ Json parse_json(std::string_view text, const std::string& source, std::string_vi
 }
 
 Json parse_object(std::string_view text, const std::string& source, std::string_view schema, std::string_view what,
-                  std::string_view example, std::string_view old_schema) {
+                  std::string_view example) {
     Json object = parse_json(text, source, fmt::format(R"(write {{"schema": "{}", {}}})", schema, example));
-    const auto is = [&](std::string_view name) { return !name.empty() && object["schema"] == name; };
-    if (!object.is_object() || !object.contains("schema") || !(is(schema) || is(old_schema))) {
+    if (!object.is_object() || !object.contains("schema") || object["schema"] != schema) {
         throw ReadError(fmt::format("{}: is no {}; add \"schema\": \"{}\"", source, what, schema));
     }
     object.erase("schema");

@@ -20,10 +20,10 @@ enum class PlainNumbers { refused, are_si };
 /// absurdly deep nesting.
 Json parse_json(std::string_view text, const std::string& source, std::string_view what_to_do);
 
-/// Parses an object whose "schema" is `schema`, or the name that it had before, if any. What it is ("design") and an example of its other
+/// Parses an object whose "schema" is `schema`. What it is ("design") and an example of its other
 /// fields go into messages.
 Json parse_object(std::string_view text, const std::string& source, std::string_view schema, std::string_view what,
-                  std::string_view example, std::string_view old_schema = {});
+                  std::string_view example);
 
 /// Files about records, tables and designs: ReadError. Quantities are text with a unit, or numbers in SI units where these are taken,
 /// perhaps with a standard uncertainty (scaling/uncertain.hpp) where there is a reading; a plain number may be a fraction of two uncertain

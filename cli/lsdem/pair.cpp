@@ -241,8 +241,8 @@ int judge(const std::string& scene, const lsdem::PairStudy& study) {
              twin->choice.length);
     }
     if (study.diverged()) return kNumericalFailure;
-    report_doubts(scene + ", prototype", study.prototype);
-    for (const lsdem::PairedRun& model : study.models) report_doubts(place_of(model), model.run);
+    report_warnings(scene + ", prototype", study.prototype);
+    for (const lsdem::PairedRun& model : study.models) report_warnings(place_of(model), model.run);
     const auto refused = [&](const lsdem::PairedRun& model) { return !lsdem::judge_own(study, model).accepted.value_or(true); };
     if (std::any_of(study.models.begin(), study.models.end(), refused)) return kNotAccepted;
     if (study.tolerance && study.scaling() == lsdem::Agreement::agree) return kDone;
@@ -338,8 +338,7 @@ void add_model_options(CLI::App& command, PairOptions& options) {
     add_number_option(command, "--accept", options.accept,
                       "Accept own models, and scene files, whose peak velocity and residual displacement of the top and losses differ by "
                       "no more, e.g. 5%; else exit code 6");
-    constexpr const char* kOneAtATime = "--one-at-a-time,--each-alone";  // the second is the old name
-    command.add_flag(kOneAtATime, options.one_at_a_time,
+    command.add_flag("--one-at-a-time", options.one_at_a_time,
                      "With own materials: also run a model for each property that differs, exact otherwise, and say what it does alone");
 }
 

@@ -210,7 +210,7 @@ int run_run(const RunOptions& options) {
         print("{}\n", folder ? "Results in " + directory : "No file of it is kept; -o DIR keeps results");
     }
     const std::string& where = resumes ? directory : options.scene;
-    report_doubts(where, run);
+    report_warnings(where, run);
     return report_divergence(where, run) ? kNumericalFailure : kDone;
 }
 

@@ -172,7 +172,6 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->excludes(out);
     command->add_option("--placing", options->placing, "How blocks come to their places, instead of the scene's own way")
         ->type_name("layers_mass_scaled|layers|resting|as_drawn")
-        ->transform([](const std::string& name) { return name == lsdem::kOldMassScaledName ? lsdem::placing_names().back() : name; })
         ->check(one_of(lsdem::placing_names()));
     add_whole_option(*command, "--seeds", options->seeds, "Specimens with as many seeds, from the scene's on", {1, 100000})
         ->capture_default_str();

@@ -310,7 +310,6 @@ nlohmann::json to_json(const PropertiesReport& report) {
                             {"speeds", make_json(make_speed_rows(report.properties, report.similitude))},
                             {"rocking", rocking},
                             {"untold", untold}};
-    object["facts"] = object["properties"];  // the old name
     if (!uncertain.is_certain()) {
         object["uncertainty"] = {{"inputs", to_json(uncertain.inputs)},
                                  {"factors", to_json(uncertain.factors, uncertain.inputs)},

@@ -158,12 +158,11 @@ scaling::UncertainRegimes find_uncertain_regimes(PropertiesFiles& files, const s
 }  // namespace
 
 void PropertiesOptions::add_to(CLI::App& command) {
-    constexpr const char* kNames = "--properties,--facts";  // the second is the old name
     CLI::Option* const properties = command
-                                        .add_option(kNames, file,
+                                        .add_option("--properties", file,
                                                     "What is known of prototype and model (JSON, musim-properties/1; see "
                                                     "docs/user/design_files.md): reports every group of both, "
-                                                    "regimes, structural speed and rocking (--facts: the old name)")
+                                                    "regimes, structural speed and rocking")
                                         ->type_name("PROPERTIES.json");
     // what the properties themselves give
     for (const char* const name :

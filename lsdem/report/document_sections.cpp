@@ -112,9 +112,7 @@ std::string make_document_verdict(const ReportedDocument& document) {
 }
 
 ReportSection make_document_section(const ReportedDocument& document, std::size_t number) {
-    json shown = document.json;
-    if (shown.contains("properties")) shown.erase("facts");  // the old name of the same
-    return {.id = fmt::format("document-{}", number), .title = document.label, .html = to_html(shown, document.label)};
+    return {.id = fmt::format("document-{}", number), .title = document.label, .html = to_html(document.json, document.label)};
 }
 
 }  // namespace musim::lsdem

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kContentsFormat = "musim-contents/1";
 
-/// Files by which results of versions before contents.json are known.
-constexpr const char* kOldResults[]{"result.h5", "summary.json", "sequence.json", "pair.json", "ensemble.json"};
+/// Files by which results are known where contents.json does not list them.
+constexpr const char* kResultNames[]{"result.h5", "summary.json", "sequence.json", "pair.json", "ensemble.json"};
 
 /// "material, time, --twins": what results that are here to be cannot take from those that are there.
 std::string name_differences(const ResultOrigin& there, const ResultOrigin& here) {
@@ -93,8 +93,8 @@ void write_contents(const fs::path& directory, const FolderContents& contents) {
 std::vector<std::string> list_results(const fs::path& directory) {
     if (auto contents = read_usable_contents(directory)) return std::move(contents->files);
     std::vector<std::string> found;
-    for (const char* old : kOldResults) {
-        if (fs::exists(directory / old)) found.emplace_back(old);
+    for (const char* name : kResultNames) {
+        if (fs::exists(directory / name)) found.emplace_back(name);
     }
     return found;
 }
@@ -124,8 +124,8 @@ void refuse_other_results(const fs::path& directory, const ResultOrigin& origin)
     const fs::path file = directory / kContentsName;
     if (!there) {
         if (fs::exists(file)) refuse_overwriting(file, "is damaged, or of another version: it is not known what these results are of");
-        for (const char* old : kOldResults) {
-            if (fs::exists(directory / old)) refuse_overwriting(directory / old, "it is not known what these results were made from");
+        for (const char* name : kResultNames) {
+            if (fs::exists(directory / name)) refuse_overwriting(directory / name, "it is not known what these results were made from");
         }
         return;
     }

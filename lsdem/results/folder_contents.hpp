@@ -41,7 +41,7 @@ std::optional<FolderContents> read_contents(const std::filesystem::path& directo
 /// Writes it in one step. Throws records::WriteError.
 void write_contents(const std::filesystem::path& directory, const FolderContents& contents);
 
-/// The results in a folder as relative paths: what its contents.json lists; without a usable one what older versions may have left.
+/// The results in a folder as relative paths: what its contents.json lists; without a usable one the results known by their names.
 std::vector<std::string> list_results(const std::filesystem::path& directory);
 
 /// Does a folder say that its results are of that origin?

@@ -113,7 +113,7 @@ void read_summary(const fs::path& path, const std::string& result, StoredRun& ru
     try {
         const auto divergence = summary.value("divergence", nlohmann::json::object());
         if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
-        run.warnings = summary.value("warnings", summary.value("doubts", std::vector<std::string>{}));  // "doubts": the old name
+        run.warnings = summary.value("warnings", std::vector<std::string>{});
         run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
         const nlohmann::json outcome = summary.value("outcome", nlohmann::json::object());
         const auto pga = outcome.value("pga_g", std::vector<double>{});

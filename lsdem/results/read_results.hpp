@@ -9,12 +9,12 @@
 
 namespace musim::lsdem {
 
-/// A run as a result directory holds it. Of results of older versions, the base's peak acceleration is that at the samples.
+/// A run as a result directory holds it. Without a summary the base's peak acceleration is that at the samples.
 struct StoredRun : RunData {
     std::filesystem::path directory;
     std::string divergence;             ///< why it diverged, in one sentence; empty when it did not
     bool at_rest = true;                ///< false: it was to settle before t = 0 and did not
-    std::vector<std::string> warnings;  ///< see find_warnings; empty in results of versions before they were kept
+    std::vector<std::string> warnings;  ///< see find_warnings
     std::string scene;                  ///< as JSON text
     std::vector<std::string> gaps;      ///< what could not be read of it, one sentence each; only with Reading::what_there_is
     bool is_status_known = true;        ///< false: summary.json could not be read; `status` is then what the falls say

@@ -60,7 +60,6 @@ nlohmann::json make_summary(const RunResult& run) {
     }
     summary["outcome"] = to_json(find_outcome(run));
     summary["warnings"] = find_warnings(run);
-    summary["doubts"] = summary["warnings"];  // the old name
     if (run.divergence) {
         summary["divergence"] = {{"kind", std::string(name_of(run.divergence->kind))},
                                  {"block", run.divergence->block},

@@ -18,9 +18,6 @@ namespace musim::lsdem {
 namespace {
 
 constexpr const char* kProgressSchema = "musim-progress/1";
-// of the version before
-constexpr const char* kOldProgressName = "live.json";       // old name
-constexpr const char* kOldProgressSchema = "musim-live/1";  // old name
 
 ProgressState parse_progress_state(const nlohmann::json& json) {
     ProgressState state;
@@ -117,7 +114,6 @@ nlohmann::json to_json(const ProgressState& state) {
 ProgressFile::ProgressFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval)
     : file_(directory / kProgressName), interval_(interval), next_(start_ + interval) {
     state_.name = std::move(name);
-    detail::remove_with_leftovers(directory / kOldProgressName);
 }
 
 void ProgressFile::listen_to(RunObserver& observer) {
@@ -169,10 +165,9 @@ void ProgressFile::write() {
 
 std::optional<ProgressState> read_progress_file(const std::filesystem::path& directory) {
     std::ifstream stream = scaling::open_regular_file(directory / kProgressName);
-    if (!stream) stream = scaling::open_regular_file(directory / kOldProgressName);
     try {
         const nlohmann::json json = nlohmann::json::parse(stream);
-        if (json.at("schema") != kProgressSchema && json.at("schema") != kOldProgressSchema) return std::nullopt;
+        if (json.at("schema") != kProgressSchema) return std::nullopt;
         return parse_progress_state(json);
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;

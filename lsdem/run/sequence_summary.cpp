@@ -111,7 +111,6 @@ nlohmann::json to_json(const StageSummary& stage) {
                           {"fallen_blocks", stage.fallen},
                           {"collapse_time_s", scaling::or_null(stage.collapse_time)},
                           {"warnings", stage.warnings},
-                          {"doubts", stage.warnings},  // the old name
                           {"at_start", stage.at_start ? to_json(*stage.at_start) : nlohmann::json()},
                           {"since_stage_start", to_json(stage.of_stage)},
                           {"since_first_start", to_json(stage.of_sequence)}};
@@ -194,8 +193,7 @@ nlohmann::json to_json(const SequenceSummary& summary) {
                     {"name", last.where.name},
                     {"time_s", *last.collapse_time},
                     {"total_time_s", *time},
-                    {"in_rest_phase", *last.collapse_time > last.duration},
-                    {"in_quiet_phase", *last.collapse_time > last.duration}};  // the old name
+                    {"in_rest_phase", *last.collapse_time > last.duration}};
     }
     return {{"name", summary.name},
             {"status", to_string(summary.status())},

@@ -98,16 +98,13 @@ std::optional<StoredSpecimen> read_blocks(const detail::Hdf5Reader& reader, std:
     return stored;
 }
 
-/// A way of placing as it has always stood in the inputs of specimens, so that these keep their names.
-std::string name_in_files(Placing placing) { return placing == Placing::layers_mass_scaled ? kOldMassScaledName : to_string(placing); }
-
 }  // namespace
 
 std::string describe_inputs(const Scene& scene, const PreparationSettings& preparation) {
     auto inputs = nlohmann::ordered_json::parse(write_scene(scene));
     for (const char* key : kUnrelated) inputs.erase(key);
     inputs["time"].erase("duration");
-    inputs["preparation"] = {{"placing", name_in_files(preparation.placing)},
+    inputs["preparation"] = {{"placing", to_string(preparation.placing)},
                              {"damping_rate", preparation.settling.damping_rate},
                              {"rest", preparation.settling.rest},
                              {"reaction", preparation.settling.reaction},
@@ -120,7 +117,7 @@ std::string describe_inputs(const Scene& scene, const PreparationSettings& prepa
                              {"resting_patience", preparation.resting_patience},
                              {"early_rest", preparation.early_rest},
                              {"last_damping", preparation.last_damping},
-                             {"last_damping_with_added_inertia", preparation.last_damping_with_mass_scaling}};
+                             {"last_damping_with_mass_scaling", preparation.last_damping_with_mass_scaling}};
     if (preparation.from_equilibrium) inputs["preparation"]["from_equilibrium"] = true;
     return inputs.dump();
 }

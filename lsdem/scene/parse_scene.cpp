@@ -42,9 +42,7 @@ Preparation parse_preparation(const JsonReader& value, const std::filesystem::pa
     }
     const JsonReader object = to_object(value, "preparation");
     if (object.has("placing")) {
-        const bool is_old_name = object["placing"].json() == kOldMassScaledName;
-        preparation.placing =
-            is_old_name ? Placing::layers_mass_scaled : static_cast<Placing>(to_choice(object["placing"], placing_names()));
+        preparation.placing = static_cast<Placing>(to_choice(object["placing"], placing_names()));
     }
     preparation.damping_rate = object.find<scaling::Frequency>("damping_rate");
     if (object.has("specimen")) preparation.specimen = detail::resolve(object.get<std::string>("specimen"), origin);
@@ -100,11 +98,9 @@ void read_contact(const JsonReader& object, Scene& scene) {
     if (contact.has("nodes")) {
         scene.contact_nodes = to_choice(contact["nodes"], {"leader", "both"}) == 1 ? ContactNodes::both : ContactNodes::leader;
     }
-    // "patch", an old name of overlap, is taken but not offered
-    if (contact.has("faces") && contact["faces"].json() != "patch") {
+    if (contact.has("faces")) {
         scene.face_contact = static_cast<FaceContact>(to_choice(contact["faces"], face_contact_names()));
     }
-    if (contact.has("spacing")) to_choice(contact["spacing"], {"even", "lobatto"});
 }
 
 /// Is there a block of a material that a pair names, or the ground that it names?
@@ -116,7 +112,7 @@ bool meets(const Scene& scene, const std::string& name) {
                        [&](const BlockEntry& block) { return block.material == (name == kOwnMaterialName ? "" : name); });
 }
 
-/// Says which settings of a scene change nothing, and which name is an old one.
+/// Remarks on the settings of a scene that change nothing.
 void remark_settings(const JsonReader& object, Scene& scene) {
     const auto remark = [&](const JsonReader& at, const char* why) {
         scene.text.remarks.push_back(fmt::format("{}: {}", at.place(), why));
@@ -125,10 +121,6 @@ void remark_settings(const JsonReader& object, Scene& scene) {
     if (object.has("shape") && object["shape"].json().contains("nodes_per_face") && !has_nodes) {
         remark(object["shape"].at("nodes_per_face"),
                "boxes meet without nodes, so it changes nothing (it counts with \"contact\": {\"faces\": \"nodes\"})");
-    }
-    if (object.has("preparation") && object["preparation"].json().is_object() &&
-        object["preparation"].json().value("placing", nlohmann::json()) == kOldMassScaledName) {
-        remark(object["preparation"]["placing"], "\"quick_layers\" is an old name of \"layers_mass_scaled\"; write \"layers_mass_scaled\"");
     }
     if (scene.ground.friction && !scene.ground.present) {
         remark(object["ground"]["friction"], "there is no ground (\"present\": false), so it changes nothing");
@@ -141,15 +133,9 @@ void remark_settings(const JsonReader& object, Scene& scene) {
     }
     if (!object.has("contact")) return;
     const JsonReader contact = object["contact"];
-    if (contact.has("faces") && contact["faces"].json() == "patch") {
-        remark(contact["faces"], "\"patch\" is an old name of \"overlap\", which it means; write \"overlap\"");
-    }
     if (contact.has("nodes") && scene.contact_nodes == ContactNodes::both && !has_nodes) {
         remark(contact["nodes"],
                "boxes meet without nodes, so \"both\" changes nothing (it counts with \"contact\": {\"faces\": \"nodes\"})");
-    }
-    if (contact.json().contains("spacing")) {
-        remark(contact.at("spacing"), "no contact has a spacing of nodes to choose, so it changes nothing; leave it out");
     }
 }
 

@@ -30,9 +30,6 @@ struct Preparation {
 
 /// "as_drawn", "resting", "layers", "layers_mass_scaled", in this order.
 const std::vector<std::string>& placing_names();
-
-/// An old name of "layers_mass_scaled", which is taken but not offered.
-inline constexpr const char* kOldMassScaledName = "quick_layers";  // old name
 std::string to_string(Placing placing);
 
 }  // namespace musim::lsdem

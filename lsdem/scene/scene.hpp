@@ -271,7 +271,7 @@ const std::vector<std::string>& face_contact_names();
 /// About the text that a scene was read from. Scenes that mean the same are equal, whatever their texts.
 struct SceneText {
     std::string origin;                ///< the file, as messages name it; empty for a scene that was made
-    std::vector<std::string> remarks;  ///< about settings that change nothing, old names and unlikely values, with their places
+    std::vector<std::string> remarks;  ///< about settings that change nothing and about unlikely values, with their places
     std::vector<std::string> notes;    ///< about values that were understood in a way of their own, with their places
     std::string plain_number;          ///< JSON path of the first quantity that is a number without a unit; empty: there is none
     bool operator==(const SceneText& /*other*/) const { return true; }

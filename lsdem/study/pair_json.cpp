@@ -131,13 +131,6 @@ nlohmann::json to_json(const StepError& error) {
 
 nlohmann::json to_json(const PairStudy& study) {
     const Yardstick yardstick = study.yardstick();
-    // under their old names: of the twin that differs most
-    double shadow_rms = 0.0;
-    std::optional<double> shadow_losses;
-    for (const PairedTwin& twin : study.twins) {
-        shadow_rms = std::max(shadow_rms, twin.difference.rms_velocity);
-        if (twin.difference.losses) shadow_losses = std::max(shadow_losses.value_or(0.0), *twin.difference.losses);
-    }
     // braces around a single value are an array to one compiler and that value to another
     nlohmann::json runs = nlohmann::json::array();
     runs.push_back(make_labelled_summary("prototype", study.prototype));
@@ -152,8 +145,6 @@ nlohmann::json to_json(const PairStudy& study) {
                      {"material", model.material.empty() ? nlohmann::json() : nlohmann::json(model.material)},
                      {"law", law_to_json(model)},
                      {"specimen", model.is_image ? "image" : "anew"},
-                     {"shadow_rms", shadow_rms},
-                     {"shadow_loss_difference", scaling::or_null(shadow_losses)},
                      {"bitwise_identical", model.difference.bitwise_identical},
                      {"digits", model.difference.digits()},
                      {"parting_time_s", scaling::or_null(judgement.parting_time)},

@@ -14,8 +14,7 @@ std::vector<std::string> describe_verdict(const PairStudy& study);
 
 /// A paired study in one JSON object: runs (prototype, models; summaries with label), pairs (one per model: length, materials, differences,
 /// agreement and what it rests on, quantities beside those of the twins, distortions), consistent, agreement and verdict (sentences) of
-/// all, twins, horizon_s, end_s, half_step. shadow_rms and shadow_loss_difference are old names of the largest difference of a twin. Layout
-/// in docs/user/file_formats.md.
+/// all, twins, horizon_s, end_s, half_step. Layout in docs/user/file_formats.md.
 nlohmann::json to_json(const PairStudy& study);
 
 /// A part of one in percent, two digits: "3.4 %"; "less than 1e-07 %" for what is rounding.

@@ -112,8 +112,8 @@ Properties parse_properties(std::string_view json, const std::string& source, co
 }
 
 detail::Json parse_properties_text(std::string_view json, const std::string& source) {
-    return detail::parse_object(json, source, "musim-properties/1", "file of structure properties", R"("prototype": {...}, "model": {...})",
-                                "musim-facts/1");  // old name
+    return detail::parse_object(json, source, "musim-properties/1", "file of structure properties",
+                                R"("prototype": {...}, "model": {...})");
 }
 
 Properties read_properties(const detail::Json& object, const std::string& source, const std::vector<Material>& presets, double length,

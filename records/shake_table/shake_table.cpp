@@ -154,10 +154,8 @@ char read_separator(const JsonReader& fields) {
 
 ControllerFormat read_controller(const JsonReader& fields) {
     ControllerFormat format{.rate = require_limit<scaling::Frequency>(fields, "rate")};
-    const std::string old_name = "quiet", rest = fields.has(old_name) ? old_name : "rest";  // old name
-    if (fields.has(old_name) && fields.has("rest")) fields.fail("rest is given twice, once by its old name", "leave one out");
-    fields.read(rest, format.rest);
-    if (!(format.rest.value() >= 0.0)) fields.fail(rest + " is below zero", "give a time of zero or more");
+    fields.read("rest", format.rest);
+    if (!(format.rest.value() >= 0.0)) fields.fail("rest is below zero", "give a time of zero or more");
     format.displacement = read_unit(fields, SampleQuantity::displacement, "m");
     format.velocity = read_unit(fields, SampleQuantity::velocity, "m/s");
     format.acceleration = read_unit(fields, SampleQuantity::acceleration, "m/s^2");

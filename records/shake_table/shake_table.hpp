@@ -71,7 +71,7 @@ struct ShakeTable {
 /// Reads {"schema": "musim-table/1", "name", "source", "energy_share": 0.99, "axes": [{"names": ["x", "y"], "displacement": "75 mm",
 /// "velocity": "80 cm/s", "acceleration": "1.5 g" or [{"payload": "5 t", "limit": "1.5 g"}, ...], "force", "moving_mass",
 /// "overturning_moment", "payload", "lowest_frequency", "highest_frequency", "oil_column": {"frequency", "share"}}, ...], "controller":
-/// {"rate", "rest" (or its old name "quiet"), "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...],
+/// {"rate", "rest", "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...],
 /// "separator": "comma" | "tab" | "space", "header", "digits"}}. Quantities are SI numbers or text with a unit. A force and an oil column
 /// need the moving mass. Throws ReadError `source: place: what (why); what to do` for anything else, unknown keys, limits that are not
 /// positive, names that come twice and rotations (roll, pitch, yaw, ...) included. `reading` takes limits and masses with standard

@@ -235,7 +235,7 @@ TEST_CASE("numbers and texts that are of another kind than they should be are le
     write_json(place.path() / "pair/1-25/summary.json", summary);
     write_json(place.path() / "pair/pair.json",
                nlohmann::json::parse(R"({"pairs": [{"label": "1:25", "materials": 3, "consistent": "yes", "distortions": {},
-        "alone": [7], "shadow_rms": null}, null]})"));
+        "alone": [7], "digits": null}, null]})"));
     CHECK(holds(make_report({place.path() / "pair"}), "1:25: ran to its end"));
     for (const char* pairs : {R"({"pairs": null})", R"({"pairs": {"label": 1}})"}) {
         write_json(place.path() / "pair/pair.json", nlohmann::json::parse(pairs));

@@ -62,7 +62,7 @@ TEST_CASE("what a scene gives itself comes before its accuracy") {
 }
 
 TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
-    for (const char* faces : {"", R"(, "contact": {"faces": "overlap"})", R"(, "contact": {"faces": "patch"})"}) {
+    for (const char* faces : {"", R"(, "contact": {"faces": "overlap"})"}) {
         const Scene scene = parse(faces);
         CHECK_FALSE(scene.has_contact_nodes());
         const Model model = make_model(scene);
@@ -86,7 +86,7 @@ TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
     CHECK(parse(R"(, "shape": {"kind": "box", "level_set": "grid", "nodes_per_face": 12, "voxel": "1 mm"})").has_contact_nodes());
 }
 
-TEST_CASE("settings of nodes where there are none, and old names, get one warning each and change nothing") {
+TEST_CASE("settings of nodes where there are none get one warning each and change nothing") {
     struct Case {
         std::string more;
         std::vector<std::string> places;
@@ -95,13 +95,9 @@ TEST_CASE("settings of nodes where there are none, and old names, get one warnin
     const std::vector<Case> cases{
         {"", {}},
         {R"(, "contact": {"nodes": "leader", "faces": "overlap"}, "shape": {"kind": "box"})", {}},
-        {R"(, "contact": {"faces": "patch"})", {"/contact/faces"}},
-        {R"(, "contact": {"spacing": "even"})", {"/contact/spacing"}},
-        {R"(, "contact": {"spacing": "lobatto"})", {"/contact/spacing"}},
         {R"(, "contact": {"nodes": "both"})", {"/contact/nodes"}},
         {shape, {"/shape/nodes_per_face"}},
-        {shape + R"(, "contact": {"nodes": "both", "faces": "patch", "spacing": "lobatto"})",
-         {"/shape/nodes_per_face", "/contact/faces", "/contact/nodes", "/contact/spacing"}},
+        {shape + R"(, "contact": {"nodes": "both"})", {"/shape/nodes_per_face", "/contact/nodes"}},
     };
     const Scene plain = parse("");
     for (const Case& c : cases) {
@@ -115,20 +111,7 @@ TEST_CASE("settings of nodes where there are none, and old names, get one warnin
         // what is written has nothing to remark on
         CHECK(parse_scene(write_scene(scene)).text.remarks.empty());
     }
-    // with nodes only the spacing is idle
-    const Scene nodes = parse(shape + R"(, "contact": {"nodes": "both", "faces": "nodes", "spacing": "even"})");
-    REQUIRE(nodes.text.remarks.size() == 1);
-    check_message(nodes.text.remarks[0], {"/contact/spacing"});
-}
-
-TEST_CASE("layers with scaled mass have an old name, which gets a warning") {
-    const std::string placing = R"(, "preparation": {"placing": ")";
-    const Scene scene = parse(placing + kOldMassScaledName + R"("})"), named = parse(placing + R"(layers_mass_scaled"})");
-    CHECK(scene == named);
-    REQUIRE(scene.text.remarks.size() == 1);
-    check_message(scene.text.remarks[0], {"/preparation/placing", "write \"layers_mass_scaled\""});
-    CHECK(named.text.remarks.empty());
-    CHECK(named.preparation->placing == Placing::layers_mass_scaled);
+    CHECK(parse(shape + R"(, "contact": {"nodes": "both", "faces": "nodes"})").text.remarks.empty());
 }
 
 TEST_CASE("a bad accuracy or face is refused with its place and what is known") {
@@ -136,6 +119,5 @@ TEST_CASE("a bad accuracy or face is refused with its place and what is known") 
     check_message(refuse_accuracy(R"(, "accuracy": 3)"), {"/accuracy", "a text is wanted"});
     check_message(refuse_accuracy(R"(, "acuracy": "fast")"), {"/acuracy: unknown key", "did you mean \"accuracy\"?"});
     check_message(refuse_accuracy(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "overlap, nodes"});
-    check_message(refuse_accuracy(R"(, "contact": {"spacing": "fine"})"), {"/contact/spacing", "even"});
-    check_message(refuse_accuracy(R"(, "contact": {"face": "patch"})"), {"/contact/face: unknown key", "did you mean \"faces\"?"});
+    check_message(refuse_accuracy(R"(, "contact": {"face": "overlap"})"), {"/contact/face: unknown key", "did you mean \"faces\"?"});
 }

@@ -57,17 +57,17 @@ TEST_CASE("what a run would warn of is a warning of the check") {
         CHECK(outcome.exit_code == 0);
         return outcome.err;
     };
-    const std::string quiet = R"("output": {"spine_rate": "1 kHz", "frame_rate": "100 Hz"}, )";
-    CHECK(check(quiet + R"("time": {"duration": "0.3 s"})").empty());
+    const std::string rates = R"("output": {"spine_rate": "1 kHz", "frame_rate": "100 Hz"}, )";
+    CHECK(check(rates + R"("time": {"duration": "0.3 s"})").empty());
     struct Case {
         std::string settings;
         const char* warning;
     };
-    for (const Case& c : {Case{quiet + R"("time": {"duration": "0.1 s"})", "\"duration\" cuts it"},
-                          Case{quiet + R"("time": {"duration": "0.3 s", "step": "10 us"})", "above the critical"},
-                          Case{quiet + R"("time": {"duration": "0.3 s"}, "preparation": "none")", "weight begins to act"},
-                          Case{quiet + R"("time": {"duration": 0.3})", "a number without a unit"},
-                          Case{quiet + R"("time": {"duration": "0.3 s"}, "contact": {"spacing": "even"})", "changes nothing"},
+    for (const Case& c : {Case{rates + R"("time": {"duration": "0.1 s"})", "\"duration\" cuts it"},
+                          Case{rates + R"("time": {"duration": "0.3 s", "step": "10 us"})", "above the critical"},
+                          Case{rates + R"("time": {"duration": "0.3 s"}, "preparation": "none")", "weight begins to act"},
+                          Case{rates + R"("time": {"duration": 0.3})", "a number without a unit"},
+                          Case{rates + R"("time": {"duration": "0.3 s"}, "contact": {"nodes": "both"})", "changes nothing"},
                           Case{R"("time": {"duration": "0.3 s"}, "output": {"frame_rate": "100 Hz"})", "every step is kept"},
                           Case{R"("time": {"duration": "0.3 s"}, "output": {"spine_rate": "1 kHz"})", "no film"}}) {
         CAPTURE(c.warning);

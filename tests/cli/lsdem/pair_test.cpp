@@ -20,7 +20,7 @@ TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, a
     CHECK(object["agreement"] == "agree");
     CHECK(object["verdict"][0] == "The models agree with the prototype.");
     REQUIRE(object["pairs"].size() == 2);
-    for (const char* key : {"length", "materials", "max_relative_velocity_difference", "rms_relative_velocity_difference", "shadow_rms",
+    for (const char* key : {"length", "materials", "max_relative_velocity_difference", "rms_relative_velocity_difference",
                             "bitwise_identical", "distortions"}) {
         CHECK_MESSAGE(object["pairs"][1].contains(key), key);
     }

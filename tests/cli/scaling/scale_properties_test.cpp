@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <regex>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -106,11 +105,6 @@ TEST_CASE("factors follow from the properties, and the same ones may be typed, o
     here.write("properties.json", std::string(kProperties) + "}");
     const auto alone = here.run("scale --length 1/107 --properties properties.json --json").json();
     CHECK(alone["factors"]["density"] == 800.0 / 2320.0);
-    // the old names of option, schema and key
-    const std::string old_name = "musim-facts/1";  // old name
-    here.write("old.json", std::regex_replace(std::string(kProperties), std::regex("musim-properties/1"), old_name) + "}");
-    CHECK(here.run("scale --length 1/107 --facts old.json --json").json() == alone);  // old name
-    CHECK(alone["facts"] == alone["properties"]);                                     // old name
     CHECK(here.run("scale --length 1/107 --friction 1.068 --density 800/2320 --gravity 1 --properties properties.json --json").json() ==
           alone);
     const Outcome contradiction = here.run("scale --length 1/107 --friction 0.3 --properties properties.json");

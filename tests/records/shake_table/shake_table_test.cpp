@@ -108,8 +108,6 @@ TEST_CASE("a damaged shake table is refused in one line that names the place") {
     CHECK(error_of(controller(R"("rate": "100 Hz", "separator": ";")")) ==
           "t.json: controller: separator is \";\"; take \"comma\", \"tab\" or \"space\"");
     CHECK(error_of(controller(R"("rate": "100 Hz", "digits": 18)")) == "t.json: controller: digits is not from 1 to 17; take 9");
-    CHECK(error_of(controller(R"("rate": "100 Hz", "quiet": "-1 s")")) ==  // old name
-          "t.json: controller: quiet is below zero; give a time of zero or more");
     CHECK(error_of(controller(R"("rate": "100 Hz", "rest": "-1 s")")) ==
           "t.json: controller: rest is below zero; give a time of zero or more");
     CHECK(error_of(controller(R"("rate": "100 Hz", "header": 1)")) ==

@@ -85,17 +85,6 @@ TEST_CASE("a summary that was cut and closed again is refused") {
     CHECK_THROWS_WITH_AS(read_run(folder.path()), doctest::Contains("summary.json: has no checksum"), ResultError);
 }
 
-TEST_CASE("warnings of a summary may stand under their old name") {
-    const TemporaryFolder folder;
-    write_made_run(folder.path());
-    auto summary = nlohmann::json::parse(bytes_of(folder.path() / "summary.json"));
-    summary.erase("warnings");
-    summary["doubts"] = {"a first", "a second"};  // old name
-    summary.erase("checksum");
-    folder.write("summary.json", make_checked_json(summary));
-    CHECK(read_run(folder.path()).warnings == std::vector<std::string>{"a first", "a second"});
-}
-
 TEST_CASE("a summary of another run than the result beside it is refused") {
     const TemporaryFolder folder;
     write_made_run(folder.path());

@@ -145,7 +145,7 @@ TEST_CASE("results of another scene or version or command are not replaced unask
     CHECK(refusal(other).find("these differ: --twins") != std::string::npos);
     CHECK(read_files(place.path()) == before);
 
-    // of an older version, and damaged
+    // without its list, and with a damaged one
     fs::remove(contents);
     CHECK(refusal(make_origin("old")) ==
           (place.path() / "result.h5").string() + ": it is not known what these results were made from" + remedy);

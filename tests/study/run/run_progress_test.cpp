@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lsdem/results/checked_json.hpp"
@@ -76,14 +75,11 @@ TEST_CASE("a run reports its state in its folder while it goes on, and only then
         ResultFolder folder(out);
         CHECK(look_into(out).state == FolderState::working);
         CHECK(look_into(out).runs.empty());
-        const std::filesystem::path old_file = out / "live.json";  // old name
-        std::ofstream(old_file) << "{}";
-        ProgressFile live(out, "made", std::chrono::seconds(0));
-        CHECK_FALSE(std::filesystem::exists(old_file));
+        ProgressFile progress(out, "made", std::chrono::seconds(0));
         RunSettings settings;
         double heard = 0.0;
         settings.observer.on_progress = [&](double fraction) { heard = fraction; };
-        live.listen_to(settings.observer);
+        progress.listen_to(settings.observer);
         settings.observer.on_preparation(0.25);
         REQUIRE(look_into(out).runs.size() == 1);
         CHECK(look_into(out).runs[0].state.prepares);
@@ -118,13 +114,6 @@ TEST_CASE("what a kill leaves behind is not taken for work, nor for results") {
     CHECK(watched.state == FolderState::killed);
     REQUIRE(watched.runs.size() == 1);
     CHECK_FALSE(watched.runs[0].works);
-    // of the version before, under its old name
-    std::filesystem::remove(place.path() / kProgressName);
-    const std::string old_file = "live.json", old_schema = "musim-live/1";  // old names
-    place.write(old_file, R"({"schema": ")" + old_schema + R"(", "name": "before", "phase": "running", "fraction": 0.5, "wall_s": 3})");
-    REQUIRE(look_into(place.path()).runs.size() == 1);
-    CHECK(look_into(place.path()).runs[0].state.name == "before");
-    std::filesystem::remove(place.path() / old_file);
     // one of another make says nothing
     place.write(kProgressName, R"({"schema": "musim-progress/2"})");
     CHECK(look_into(place.path()).state == FolderState::finished);
