@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "records/error.hpp"
+
 namespace musim::cli {
 namespace {
 
@@ -49,7 +51,7 @@ void print_json(const nlohmann::json& object) { print("{}\n", object.dump(2)); }
 
 void flush_output() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        throw std::runtime_error("standard output: cannot write: " + std::generic_category().message(errno));
+        throw records::WriteError("standard output: cannot write: " + std::generic_category().message(errno));
     }
 }
 

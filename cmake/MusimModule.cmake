@@ -24,7 +24,9 @@ function(musim_compile_rules target)
                                              -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${MUSIM_SANITIZE})
   endif()
-  target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>)
+  # accesses to containers, and contracts (lsdem/contract.hpp)
+  target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>
+                                              $<BUILD_INTERFACE:$<$<OR:$<CONFIG:Debug>,$<BOOL:${MUSIM_SANITIZE}>>:MUSIM_CONTRACTS=1>>)
 endfunction()
 
 # For code made of JSON and text, whose speed nobody waits for: GCC compiles it at -Og in two thirds of the time of -O2. Sanitized, Clang

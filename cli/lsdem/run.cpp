@@ -1,4 +1,5 @@
 #include "lsdem/run/run.hpp"
+#include "lsdem/results/result_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -22,6 +23,7 @@
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/step_error.hpp"
 
@@ -83,7 +85,7 @@ struct Begin {
 
 Begin begin_anew(const RunOptions& options) {
     if (fs::is_directory(options.scene)) {
-        throw std::runtime_error(
+        throw lsdem::SceneError(
             fmt::format("{0}: is a folder, not a scene; name a scene's file, or continue the interrupted run in the folder with `musim run "
                         "--resume {0}`",
                         options.scene));
@@ -99,7 +101,7 @@ Begin begin_anew(const RunOptions& options) {
 /// Refuses to write over the only trace of an unfinished run.
 void refuse_old_checkpoint(const std::string& directory) {
     if (!fs::exists(checkpoint_in(directory))) return;
-    throw std::runtime_error(
+    throw lsdem::ResultError(
         fmt::format("{0}: an unfinished run left its checkpoint here; continue it with `musim run --resume {0}`, or remove "
                     "{1} to start anew",
                     directory, checkpoint_in(directory).string()));
@@ -108,7 +110,7 @@ void refuse_old_checkpoint(const std::string& directory) {
 void require_checkpoint(const std::string& directory) {
     if (fs::exists(checkpoint_in(directory))) return;
     const bool finished = fs::exists(fs::path(directory) / "summary.json");
-    throw std::runtime_error(fmt::format("{}: {}", directory,
+    throw lsdem::ResultError(fmt::format("{}: {}", directory,
                                          finished
                                              ? "the run here has finished; there is nothing to resume"
                                              : "there is no checkpoint to resume from (a run leaves its first after 5 seconds); start the "
@@ -121,7 +123,7 @@ Begin begin_from(const std::string& directory) {
     begin.scene_text = begin.checkpoint->scene;
     begin.scene = lsdem::parse_scene(begin.scene_text, file);
     if (!begin.scene.motions.empty()) {
-        throw std::runtime_error(fmt::format(
+        throw lsdem::ResultError(fmt::format(
             "{}: the checkpoint is of a sequence of motions; continue it with `musim sequence --resume {}`", file.string(), directory));
     }
     return begin;
@@ -164,7 +166,7 @@ CarriedOut carry_out(Begin begin, const RunOptions& options, const std::string& 
     try {
         return run_or_resume(std::move(begin), options, settings);
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(
+        throw lsdem::ResultError(
             fmt::format("{}: the run cannot be continued ({}); has the scene's record or the program changed since? If so, start it anew",
                         checkpoint_in(directory).string(), error.what()));
     }

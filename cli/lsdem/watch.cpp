@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/progress_text.hpp"
 #include "cli/terminal.hpp"
+#include "lsdem/results/result_error.hpp"
 #include "lsdem/run/watched_folder.hpp"
 
 namespace musim::cli {
@@ -81,19 +82,19 @@ int report_json(const lsdem::WatchedFolder& watched, const std::string& director
 /// Report of the end, and the exit code.
 int report_end(const lsdem::WatchedFolder& watched, const std::string& directory) {
     if (watched.state == lsdem::FolderState::killed) {
-        throw std::runtime_error(
+        throw lsdem::ResultError(
             fmt::format("{}: what worked here was killed; go on with --resume {} of the command that began it (an ensemble: the same "
                         "command again)",
                         directory, directory));
     }
     if (watched.state == lsdem::FolderState::empty) {
-        throw std::runtime_error(
+        throw lsdem::ResultError(
             fmt::format("{}: nothing works here, and there are no results; give the directory of `musim run`, `pair`, `sequence` or "
                         "`ensemble` (-o)",
                         directory));
     }
     if (watched.status == "damaged") {
-        throw std::runtime_error(fmt::format("{}: finished, but its summary is damaged; give the command again that made it", directory));
+        throw lsdem::ResultError(fmt::format("{}: finished, but its summary is damaged; give the command again that made it", directory));
     }
     print("{}: finished{}{}\n", directory, watched.status.empty() ? "" : ", ", watched.status);
     return watched.status == "diverged" ? kNumericalFailure : kDone;

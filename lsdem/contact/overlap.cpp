@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "lsdem/contract.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -46,7 +48,10 @@ void clip(const Affine& inside, bool with_border, Polygon& polygon) {
     std::array<Vector3, Polygon::kMost> from;
     std::copy_n(polygon.place.begin(), polygon.count, from.begin());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < polygon.count && count + 2 <= Polygon::kMost; ++i) {
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const bool has_room = count + 2 <= Polygon::kMost;
+        EXPECTS(has_room);
+        if (!has_room) break;
         const std::size_t next = i + 1 == polygon.count ? 0 : i + 1;
         if (holds(at[i])) polygon.place[count++] = from[i];
         if (holds(at[i]) == holds(at[next])) continue;
@@ -103,7 +108,11 @@ void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::s
             for (std::size_t other = 0; other < y.face_count && cell.count > 0; ++other) {
                 if (other != k && can_be_nearest(other)) clip(difference(depth_below(y, other), own), other > k, cell);
             }
-            if (cell.count < 3 || piece_count_ == kMostPieces || vertex_count_ + cell.count > kMostVertices) continue;
+            if (cell.count < 3) continue;
+            // solids of too many faces would lose a part of their overlap
+            const bool has_room = piece_count_ < kMostPieces && vertex_count_ + cell.count <= kMostVertices;
+            EXPECTS(has_room);
+            if (!has_room) continue;
             pieces_[piece_count_++] = {.normal = x.normal[f],
                                        .facing = -x.normal[f].dot(y.normal[k]),
                                        .first = static_cast<std::uint16_t>(vertex_count_),

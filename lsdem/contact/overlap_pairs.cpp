@@ -179,15 +179,19 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
     visit_waiting();
 }
 
-void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {
+double find_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t pair) {
+    const PairTally& tally = list.tallies[pair];
+    if (!tally.rough) return tally.elastic_normal;
     OverlapPieces room;
     BodyPose sheet;
+    const PlacedPair placed(make_meeting(bodies, base, list.pairs[pair], sheet));
+    room.cut(placed.a, placed.b);
+    return list.pairs[pair].law.normal_stiffness * compute_overlap_energy(placed.a, placed.b, room);
+}
+
+void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        const ContactPair& pair = list.pairs[p];
-        if (!list.tallies[p].rough) continue;
-        const PlacedPair placed(make_meeting(bodies, base, pair, sheet));
-        room.cut(placed.a, placed.b);
-        list.tallies[p].elastic_normal = pair.law.normal_stiffness * compute_overlap_energy(placed.a, placed.b, room);
+        list.tallies[p].elastic_normal = find_overlap_energy(bodies, base, list, p);
         list.tallies[p].rough = false;
     }
 }

@@ -70,6 +70,9 @@ struct MeetingArea {
 void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
                          const std::function<void(std::size_t, const MeetingArea&)>& visit);
 
+/// Energy of the normal springs of a pair at step n: that of its tally, computed exactly where the tally is rough [J].
+double find_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t pair);
+
 /// Puts the exact energies of the normal springs at step n in the place of those in the tallies that are rough: of corners, and of pairs
 /// that are not computed side by side. All others are off by 6e-5 of themselves at most, see kRoughly.
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list);

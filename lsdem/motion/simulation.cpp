@@ -70,13 +70,13 @@ Vector3 Simulation::angular_velocity(std::size_t block) const {
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {
-    refine_overlap_energies(implementation_->bodies, implementation_->base.pose, implementation_->list);
-    const ContactList& list = implementation_->list;
+    const Implementation& s = *implementation_;
+    const ContactList& list = s.list;
     std::vector<ContactForce> forces;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         if (list.forces[p].force.isZero(0.0)) continue;
         const ContactPair& pair = list.pairs[p];
-        forces.push_back({pair.leader, pair.follower_block(), list.forces[p].force, list.tallies[p].elastic_normal});
+        forces.push_back({pair.leader, pair.follower_block(), list.forces[p].force, find_overlap_energy(s.bodies, s.base.pose, list, p)});
     }
     return forces;
 }
@@ -117,7 +117,7 @@ BaseState Simulation::base() const {
 
 Vector3 Simulation::base_reaction() const { return implementation_->base.force; }
 
-Energy Simulation::energy() const { return implementation_->find_exact_energy(); }
+Energy Simulation::energy() { return implementation_->find_exact_energy(); }
 
 Losses Simulation::losses() const {
     Losses losses = implementation_->balance.finished;

@@ -121,7 +121,7 @@ struct JointStiffness {
 class Simulation {
   public:
     /// Starts at t = 0 with the state in `model`; evaluates the first forces. `time_step` [s] must be positive and finite;
-    /// `threads` = 0 means all cores. Throws std::invalid_argument on a model that is inconsistent (indices, non-positive mass, ...).
+    /// it uses `threads` at most. Throws std::invalid_argument on a model that is inconsistent (indices, non-positive mass, ...).
     Simulation(Model model, double time_step, int threads = 1);
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -178,7 +178,7 @@ class Simulation {
     /// Friction of all contacts that touch now, as Model::preload of a structure that is to begin where this one is.
     std::vector<Preload> preloads() const;
 
-    Energy energy() const;
+    Energy energy();        ///< computes the elastic energy of overlaps, which steps leave rough, exactly
     Losses losses() const;  ///< where friction and dashpots dissipated energy [J]
     Statistics statistics() const;
     PhaseTimes phase_times() const;  ///< since the start, or since the state was restored

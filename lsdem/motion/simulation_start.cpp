@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "lsdem/block_height.hpp"
@@ -52,9 +51,8 @@ void check_model(const Model& model, double time_step) {
 }
 
 int choose_threads(int wanted, std::size_t blocks) {
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int useful = static_cast<int>(std::min<std::size_t>(blocks / kBlocksPerThread + 1, 1024));
-    return std::min(wanted > 0 ? wanted : cores, useful);
+    return std::clamp(wanted, 1, useful);
 }
 
 /// Spring energy of overlaps that are the rounding of the largest coordinate [J].

@@ -15,6 +15,11 @@ void require(herr_t status, const std::string& what) {
     if (status < 0) throw std::runtime_error("HDF5 cannot " + what);
 }
 
+std::recursive_mutex& library_mutex() {
+    static std::recursive_mutex mutex;
+    return mutex;
+}
+
 /// Equal results are equal files: none says when it was made.
 void leave_out_times(hid_t creation) { require(H5Pset_obj_track_times(creation, 0), "leave out times"); }
 
@@ -46,6 +51,8 @@ void write_text_attribute(hid_t owner, const std::string& name, const std::strin
 }
 
 }  // namespace
+
+Hdf5Lock::Hdf5Lock() : lock_(library_mutex()) {}
 
 Hdf5Handle::Hdf5Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
     if (id_ < 0) throw std::runtime_error("HDF5 cannot " + what);

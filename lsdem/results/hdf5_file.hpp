@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <array>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -11,6 +12,15 @@
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem::detail {
+
+/// Keeps other threads off the HDF5 library, which need not be built for several, while it lives.
+class Hdf5Lock {
+  public:
+    Hdf5Lock();
+
+  private:
+    std::unique_lock<std::recursive_mutex> lock_;
+};
 
 /// Owns one HDF5 identifier and closes it with the function of its kind. Throws std::runtime_error on an invalid identifier.
 class Hdf5Handle {
@@ -72,7 +82,7 @@ std::vector<hsize_t> shape_of(std::vector<hsize_t> values) {
 }
 
 /// An HDF5 file built in memory. Its bytes are written by whoever wants them: a full disk is then an ordinary failed write, which the
-/// HDF5 library itself does not survive when it meets it in H5Fclose.
+/// HDF5 library itself does not survive when it meets it in H5Fclose. Other threads wait as long as one lives.
 class Hdf5File {
   public:
     Hdf5File();
@@ -115,6 +125,7 @@ class Hdf5File {
     void write_dataset(const std::string& path, const std::vector<hsize_t>& shape, const Hdf5Types& types, const void* values,
                        const std::string& units);
 
+    Hdf5Lock lock_;
     Hdf5Handle file_;
 };
 

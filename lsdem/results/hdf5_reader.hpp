@@ -17,7 +17,8 @@ struct Hdf5Data {
     std::vector<Number> values;
 };
 
-/// An HDF5 file of ours to read from: the one way to open it, its checksum first. Throws ResultError, with the file's path in front.
+/// An HDF5 file of ours to read from: the one way to open it, its checksum first. Other threads wait as long as one lives. Throws
+/// ResultError, with the file's path in front.
 class Hdf5Reader {
   public:
     explicit Hdf5Reader(const std::filesystem::path& path);
@@ -63,6 +64,7 @@ class Hdf5Reader {
 
     std::filesystem::path path_;
     std::string checksum_;
+    Hdf5Lock lock_;
     Hdf5Handle file_;
 };
 

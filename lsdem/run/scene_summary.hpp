@@ -77,7 +77,7 @@ struct RunTimeEstimate {
 };
 
 /// Takes steps of a scene's model for about `budget` [s of wall time], the first ones not counted, and reckons with their rate. Blocks that
-/// slide and meet others later make a run slower, blocks that have fallen apart faster. `threads`: 0 means all cores.
+/// slide and meet others later make a run slower, blocks that have fallen apart faster. It uses `threads` at most.
 RunTimeEstimate measure_run_time(const SceneSummary& summary, int threads, double budget = 1.0);
 
 /// Lines for people, a word that says what a line is about first; the run time where it was measured.

@@ -15,7 +15,7 @@ namespace musim::lsdem {
 struct SequenceSettings {
     std::filesystem::path directory;                                ///< of all results
     std::string version;                                            ///< of the program
-    int threads = 1;                                                ///< 0: all cores
+    int threads = 1;                                                ///< at most
     bool force = false;                                             ///< older results of another scene are replaced
     double checkpoint_interval = 60.0;                              ///< wall time between two checkpoints [s]; 0: one after every sample
     RunObserver observer = {};                                      ///< progress is that of the whole sequence

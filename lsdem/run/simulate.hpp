@@ -39,7 +39,7 @@ struct RunObserver {
 
 /// Settings of carrying out a run; none of them changes the results.
 struct RunSettings {
-    int threads = 1;  ///< 0: all cores
+    int threads = 1;  ///< at most; scaling::count_usable_cores() for all cores
     RunObserver observer = {};
     double preparations_to_follow = 0.0;                ///< how many others that cost as much follow a preparation; for its progress
     double runs_to_follow = 1.0;                        ///< how many runs of its scene, by their work, follow a preparation; likewise

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 #include <variant>
 
 #include "lsdem/results/folder_lock.hpp"
@@ -61,8 +60,7 @@ void note_fallen(const std::vector<MovedBlock>& fallen, const Specimen& specimen
     if (!fallen.empty()) report.what_fell = describe_fallen(fallen, make_block_table(specimen));
 }
 
-/// `files`: one file at a time, since the HDF5 library need not be built for threads.
-SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, detail::SharedProgress& progress) {
+SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, detail::SharedProgress& progress) {
     const std::uint64_t seed = batch.seeds[index];
     const Clock::time_point start = Clock::now();
     const Scene scene = with_seed(batch.scene, seed);
@@ -75,7 +73,6 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     const std::string inputs = describe_inputs(scene, preparation);
     report.file = batch.folder / specimen_file_name(inputs);
     if (std::filesystem::exists(report.file)) {
-        const std::lock_guard lock(files);
         if (read_specimen_inputs(report.file) != inputs) {
             throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
         }
@@ -100,10 +97,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
                                                 static_cast<double>(upright.model.blocks.size())};
     report.prepared = prepare(upright, compute_time_step(scene, upright.model).value(), preparation, settings, from, to_follow);
     note_fallen(report.prepared.rest.fallen, upright, report);
-    if (report.stands()) {
-        const std::lock_guard lock(files);
-        write_specimen(report.file, report.prepared, inputs, batch.version);
-    }
+    if (report.stands()) write_specimen(report.file, report.prepared, inputs, batch.version);
     remove_checkpoint(settings.checkpoint->file);
     report.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
     return report;
@@ -152,13 +146,12 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     std::vector<std::optional<detail::FileLock>> locks;
     for (const std::uint64_t seed : batch.seeds)
         locks.push_back(keep_missing(batch.folder / specimen_file_of(with_seed(batch.scene, seed))));
-    std::mutex files;
     detail::SharedProgress progress(find_work(locks), batch.on_progress);
     std::vector<SpecimenReport> reports(batch.seeds.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < batch.seeds.size(); ++i) {
         jobs.emplace_back([&, i] {
-            reports[i] = make_specimen_file(batch, i, files, progress);
+            reports[i] = make_specimen_file(batch, i, progress);
             if (batch.runs_to_follow == 0.0) progress.update(i, 1.0);
         });
     }

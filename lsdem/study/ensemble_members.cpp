@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -63,12 +62,6 @@ EnsembleMember with_specimen(const EnsembleMember& member, const std::filesystem
     return make_member(std::move(scene), version);
 }
 
-/// The HDF5 library need not be one for several threads.
-std::mutex& result_file_mutex() {
-    static std::mutex mutex;
-    return mutex;
-}
-
 void run_member(const EnsembleMember& member, const MemberSettings& settings, const std::function<void(double)>& on_progress,
                 MemberReport& report) {
     const fs::path directory = member_folder(settings.directory, member);
@@ -91,7 +84,6 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     report.resumed = fs::exists(checkpoint);
     const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
                                          : run_scene(member.scene, run_settings);
-    const std::lock_guard lock(result_file_mutex());
     folder.add_run("", run, {.scene = write_scene(member.scene), .program_version = settings.version});
     folder.commit();
     remove_checkpoint(checkpoint);

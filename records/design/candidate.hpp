@@ -106,9 +106,10 @@ namespace musim::records::detail {
 struct Place {
     std::size_t material = 0, law = 0;
 
+    /// Throws std::out_of_range for a candidate of another design.
     Place(const Design& design, const Candidate& candidate) {
-        while (design.materials[material].name != candidate.material.name) ++material;
-        while (!(design.laws[law] == candidate.law)) ++law;
+        while (design.materials.at(material).name != candidate.material.name) ++material;
+        while (!(design.laws.at(law) == candidate.law)) ++law;
     }
 };
 
