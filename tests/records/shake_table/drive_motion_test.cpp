@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "records/formats/read_record.hpp"
 #include "records/shake_table/drive_motion.hpp"
 #include "records/shake_table/write_drive_file.hpp"
 #include "records/synthesis/synthetic.hpp"
@@ -119,6 +120,23 @@ TEST_CASE("a drive file has the controller's columns, units and separators") {
     format.header = false;
     write_drive_file(path, {make_axis("x"), make_axis("y")}, format);
     CHECK(bytes_of(path).starts_with("0\t0\t0\n0.25\t0\t0\n0.5\t10\t10\n"));
+}
+
+TEST_CASE("a drive file is a record again, of the quantity that is asked for") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "drive.csv";
+    write_drive_file(path, {make_axis("x"), make_axis("y")}, make_format());
+    const auto peak = [&](SampleQuantity quantity) {
+        const GroundMotion motion = read_record(path, {.quantity = quantity});
+        REQUIRE(motion.components.size() == 2);
+        CHECK(motion.components[1].series.quantity() == quantity);
+        CHECK(motion.components[1].series.dt().value() == 0.25);
+        CHECK(motion.components[1].series.size() == 7);
+        return largest(motion.components[1].series);
+    };
+    CHECK(peak(SampleQuantity::acceleration) == relative(1.6, 1e-12));
+    CHECK(peak(SampleQuantity::velocity) == relative(0.1, 1e-12));
+    CHECK(peak(SampleQuantity::displacement) == relative(0.025, 1e-12));
 }
 
 TEST_CASE("axes on different clocks make no drive file") {
