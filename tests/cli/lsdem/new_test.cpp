@@ -102,7 +102,7 @@ TEST_CASE("a new scene of an uncorrected record has the strong motion above the 
     CHECK_MESSAGE(made.err.find("strong motion from 19.") != std::string::npos, made.err);
 }
 
-TEST_CASE("a new scene of counts says what they are worth, as it was told") {
+TEST_CASE("a new scene of counts names the sensitivity that was given") {
     const Workplace here;
     std::string series = "TIMESERIES XX_ABC__HLE_D, 400 samples, 100 sps, 2020-02-29T12:00:00.000000, SLIST, INTEGER, Counts\n";
     for (int i = 0; i < 400; ++i) series += fmt::format("{}\n", i < 100 || i > 300 ? 0 : i / 10 % 2 == 0 ? 1000 : -1000);
