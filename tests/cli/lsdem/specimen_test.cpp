@@ -93,7 +93,7 @@ TEST_CASE("specimens laid in two ways are compared by what was printed of them")
     };
     place.write("again.json", place.run("specimen wall.json -o quick --seeds 2 --json").out);
     refuses("specimen --compare layers.json again.json", 3, "was there before");
-    refuses("specimen --compare layers.json wall.json", 3, "not what `musim specimen --json` prints");
+    refuses("specimen --compare layers.json wall.json", 3, "is no list of specimens");
     refuses("specimen --compare layers.json none.json", 3, "cannot be opened");
     place.write("none.json", R"({"specimens": []})");
     refuses("specimen --compare none.json layers.json", 3, "has no specimen");

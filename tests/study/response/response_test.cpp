@@ -255,9 +255,7 @@ TEST_CASE("what is no result is refused in one line") {
     const std::filesystem::path missing = folder.path() / "missing";
     CHECK_THROWS_WITH_AS(
         read_run(missing),
-        (missing.string() + ": is no directory of results (there is none of that name); name one that `musim run -o DIR` has "
-                            "written")
-            .c_str(),
+        (missing.string() + ": is no directory of results (there is none of that name); name one that a run has written").c_str(),
         ResultError);
     CHECK_THROWS_AS(read_run(folder.path()), ResultError);
     std::ofstream(folder.path() / "result.h5") << "not HDF5";

@@ -133,7 +133,7 @@ TEST_CASE("results of another scene or version or command are not replaced unask
     const std::string remedy = "; choose another directory, or take leave to replace them";
     CHECK(refusal(make_origin("old")).empty());
     CHECK(refusal(make_origin("new")) ==
-          contents.string() + ": here are results of another scene or other options (these differ: material)" + remedy);
+          contents.string() + ": here are results of another scene or other settings (these differ: material)" + remedy);
     ResultOrigin other = make_origin("old");
     other.program_version = "10.0.0";
     CHECK(refusal(other) == contents.string() + ": here are results of musim 9.9.9, this is 10.0.0" + remedy);
