@@ -174,7 +174,7 @@ TEST_CASE("record process follows a recipe, and its output contains the recipe")
     const auto history = done.json()["history"].get<std::vector<std::string>>();
     REQUIRE(history.size() >= 2);
     CHECK(history[history.size() - 2] == R"({"step":"filter","low":0.2,"order":4,"phase":"zero"})");
-    CHECK(history.back() == R"({"end":"home","step":"rest"})");
+    CHECK(history.back() == R"({"step":"rest","end":"home"})");
     for (const char* key : {"pga_g", "pgv_cm_s", "dt_s", "duration_s"}) {
         CHECK(done.json()["components"][0]["before"].contains(key));
         CHECK(done.json()["components"][0]["after"].contains(key));
