@@ -171,10 +171,15 @@ void take_bracketed_units(ColumnTitle& title) {
     std::string_view rest = title.text;
     std::size_t taken = 0;
     std::string name, unknown;
-    for (const Bracketed& group : find_brackets(rest)) {
+    const std::vector<Bracketed> groups = find_brackets(rest);
+    const bool has_motion =
+        std::any_of(groups.begin(), groups.end(), [](const Bracketed& g) { return find_sample_unit(g.text).has_value(); });
+    for (const Bracketed& group : groups) {
         const ColumnUnit unit = read_unit_of(rest.substr(0, group.first), group.text);
         const bool is_direction = is_in(kBracketNotes, in_small_letters(group.text)) && !unit.motion && !unit.seconds;
-        if (unit.is_known() && !is_direction) {
+        // "Acc (V) [m/s2]" is vertical
+        const bool is_letter_beside_unit = has_motion && !unit.motion && group.text.size() == 1;
+        if (unit.is_known() && !is_direction && !is_letter_beside_unit) {
             take_unit(title, unit, group.text);
             name += rest.substr(taken, group.first - taken);
             name += ' ';

@@ -108,6 +108,17 @@ TEST_CASE("values side by side without times are one series or several component
                    {kPulsePeak});
 }
 
+TEST_CASE("a column without title that is the integral of another is no component") {
+    // velocity of the pulse [cm/s], from rest
+    const auto velocity = [](std::size_t i) {
+        return 100.0 * kPulsePeak / std::numbers::pi * (1.0 - std::cos(std::numbers::pi * pulse_time(i)));
+    };
+    const auto row = [&](std::size_t i) { return fmt::format("{:.3f} {:.6f} {:.6f}", pulse_time(i), pulse(i), velocity(i)); };
+    tests::check_refused(tests::lines("", row), "column 3 is the integral of column 2");
+    check_laid_out(read_laid_out(tests::lines("", row), {.columns = parse_column_choices("time=1,x=2")}), {kPulsePeak});
+    check_laid_out(read_laid_out(tests::lines("t a v\n", row)), {kPulsePeak});
+}
+
 TEST_CASE("a row of counts above several values a line gives the time step") {
     const auto value = [](std::size_t i) { return fmt::format("{:.6f}", pulse(i)); };
     check_laid_out(read_laid_out(side_by_side("Quake\n400 0.005\n", 8, " ", value)), {kPulsePeak});

@@ -248,6 +248,18 @@ TEST_CASE("a title gives the unit of times") {
         {kPulsePeak});
 }
 
+TEST_CASE("names of directions are no units") {
+    const GroundMotion motion = read_titled(tests::table("Time,NS,EW,UD\n", {1.0, 0.5, 0.2}));
+    check_titled(motion, {kPulsePeak, 0.5 * kPulsePeak, 0.2 * kPulsePeak});
+    CHECK(motion.component_names() == "NS, EW, UD");
+    const std::string alone = tests::lines("NS\n", [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); });
+    check_titled(read_titled(alone, {.dt = kPulseStep * seconds}), {kPulsePeak});
+    check_titled(read_titled(tests::table("Time (s),Acc (N) [m/s2],Acc (V) [m/s2]\n", {1.0, 0.5})), {kPulsePeak, 0.5 * kPulsePeak});
+    const std::string nanoseconds = tests::lines(
+        "time_ns,ax_g\n", [](std::size_t i) { return fmt::format("{},{:.8f}", 5000000 * i, tests::pulse(i) / tests::kPulseGravity); });
+    check_titled(read_titled(nanoseconds), {kPulsePeak});
+}
+
 TEST_CASE("a step that records do not have needs a unit of time or the step") {
     const auto with_step = [](const std::string& header, double step) {
         return tests::lines(header,
