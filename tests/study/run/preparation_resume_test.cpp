@@ -128,26 +128,26 @@ TEST_CASE("a specimen by nodes that comes to rest before its run shows how far i
     CHECK(std::is_sorted(settling, parts.end()));
     CHECK(parts.back() > *(parts.end() - looks / 2));
     CHECK(parts.back() > *std::max_element(parts.begin(), settling));
-    for (const std::ptrdiff_t look : {looks - 3, looks / 2, std::ptrdiff_t{2}}) {
-        CAPTURE(look);
-        const TemporaryFolder folder;
-        std::ptrdiff_t left = std::ssize(parts) - look;
-        const auto kill = [&left](double) {
-            if (--left == 0) throw KilledPreparation{};
-        };
-        const RunSettings killed{.observer = {.on_preparation = kill}, .checkpoint = checkpoint_in(folder.path())};
-        CHECK_THROWS_AS(run_scene(scene, killed), KilledPreparation);
-        Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
-        CHECK(checkpoint.settling.has_value());
-        CHECK(checkpoint.places.has_value());
-        int again = 0;
-        const RunSettings counted{.threads = 2, .observer = {.on_preparation = [&](double) { ++again; }}};
-        const RunResult resumed = resume_scene(scene, std::move(checkpoint), counted);
-        CHECK(resumed.state_hash == whole.state_hash);
-        CHECK(resumed.rest->steps == whole.rest->steps);
-        // nothing but what was left
-        CHECK(again <= look + 2);
-    }
+    const std::ptrdiff_t look = looks / 2;
+    const TemporaryFolder folder;
+    std::ptrdiff_t left = std::ssize(parts) - look;
+    const auto kill = [&left](double) {
+        if (--left == 0) throw KilledPreparation{};
+    };
+    constexpr std::uint64_t kLooksBetween = 8;
+    RunSettings killed{.observer = {.on_preparation = kill}, .checkpoint = checkpoint_in(folder.path())};
+    killed.checkpoint->samples = kLooksBetween;
+    CHECK_THROWS_AS(run_scene(scene, killed), KilledPreparation);
+    Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
+    CHECK(checkpoint.settling.has_value());
+    CHECK(checkpoint.places.has_value());
+    int again = 0;
+    const RunSettings counted{.threads = 2, .observer = {.on_preparation = [&](double) { ++again; }}};
+    const RunResult resumed = resume_scene(scene, std::move(checkpoint), counted);
+    CHECK(resumed.state_hash == whole.state_hash);
+    CHECK(resumed.rest->steps == whole.rest->steps);
+    // nothing but what was left
+    CHECK(again <= look + static_cast<std::ptrdiff_t>(kLooksBetween) + 2);
 }
 
 TEST_CASE("a preparation that began in equilibrium is resumed to the same bits") {

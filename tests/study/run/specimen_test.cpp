@@ -108,7 +108,7 @@ TEST_CASE("what has no time to come to rest with inertia added does so with its 
 }
 
 // Tipping grows with p²/α where α is far above p, so the time that is enough for weak damping, so many times 1/α, is not enough for strong
-TEST_CASE("blocks laid under a damping far above their frequency parameter come to rest") {
+TEST_CASE("blocks laid under a damping far above their frequency parameter come to rest" * doctest::test_suite("slow")) {
     lsdem::Scene scene = make_wall_scene();
     scene.preparation.emplace();
     scene.preparation->placing = lsdem::Placing::layers;
