@@ -22,7 +22,7 @@ std::string describe(WholeRange range) {
 }
 
 [[noreturn]] void refuse(const std::string& text, const char* what, WholeRange range) {
-    throw scaling::ParseError(fmt::format("\"{}\" is {}; give a whole number {}", scaling::shorten(text), what, describe(range)));
+    throw scaling::ParseError(fmt::format("{} is {}; give a whole number {}", scaling::shorten(text), what, describe(range)));
 }
 
 /// A number or fraction that is whole, such as 1e5.

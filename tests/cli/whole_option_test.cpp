@@ -48,12 +48,11 @@ TEST_CASE("a whole number is decimal, with leading zeros or without, and nothing
     CHECK(parse_whole("0018446744073709551615", {}) == UINT64_MAX);
     for (const char* const text : {"", "0x10", "1.5", "ten", "1e", "10 11", "0b1", "1/3", "--5", "1,000", "nan", "inf"}) {
         CHECK_THROWS_WITH_AS(parse_whole(text, {1, 12}),
-                             ("\"" + std::string(text) + "\" is no whole number; give a whole number from 1 to 12").c_str(),
+                             (std::string(text) + " is no whole number; give a whole number from 1 to 12").c_str(),
                              musim::scaling::ParseError);
     }
     for (const char* const text : {"0", "13", "-1", "1e300", "18446744073709551616"}) {
-        CHECK_THROWS_WITH_AS(parse_whole(text, {1, 12}),
-                             ("\"" + std::string(text) + "\" is out of range; give a whole number from 1 to 12").c_str(),
+        CHECK_THROWS_WITH_AS(parse_whole(text, {1, 12}), (std::string(text) + " is out of range; give a whole number from 1 to 12").c_str(),
                              musim::scaling::ParseError);
     }
 }
@@ -96,10 +95,10 @@ TEST_CASE("010 is ten on a command line, and a number that is none is said of it
     for (const Case& bad :
          {Case{"ensemble wall.json -o out --members 010 --only 011", "--only: there is no member 11 of 10"},
           Case{"ensemble wall.json -o out --members 12 --only 0x8 --threads 2",
-               "--only: \"0x8\" is no whole number; give a whole number from 1 to 2147483647"},
-          Case{"ensemble wall.json -o out --members 0", "--members: \"0\" is out of range; give a whole number from 1 to 100000"},
-          Case{"run wall.json --threads -1", "--threads: \"-1\" is out of range; give a whole number from 0 to 100000"},
-          Case{"scale --length 1/25 --monte-carlo 1", "--monte-carlo: \"1\" is out of range"},
+               "--only: 0x8 is no whole number; give a whole number from 1 to 2147483647"},
+          Case{"ensemble wall.json -o out --members 0", "--members: 0 is out of range; give a whole number from 1 to 100000"},
+          Case{"run wall.json --threads -1", "--threads: -1 is out of range; give a whole number from 0 to 100000"},
+          Case{"scale --length 1/25 --monte-carlo 1", "--monte-carlo: 1 is out of range"},
           Case{"scale --length= 1/25", "--length: is empty; give a value, or leave it out"},
           Case{"run --out= wall.json", "--out: is empty; give a value, or leave it out"},
           Case{"ensemble wall.json -o '' --only ''", "--out: is empty"}, Case{"run wall.json --duration ''", "--duration: is empty"},
