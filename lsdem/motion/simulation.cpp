@@ -117,7 +117,7 @@ BaseState Simulation::base() const {
 
 Vector3 Simulation::base_reaction() const { return implementation_->base.force; }
 
-Energy Simulation::energy() { return implementation_->find_exact_energy(); }
+Energy Simulation::energy() const { return implementation_->find_exact_energy(); }
 
 Losses Simulation::losses() const {
     Losses losses = implementation_->balance.finished;

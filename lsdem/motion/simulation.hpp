@@ -178,7 +178,8 @@ class Simulation {
     /// Friction of all contacts that touch now, as Model::preload of a structure that is to begin where this one is.
     std::vector<Preload> preloads() const;
 
-    Energy energy();        ///< computes the elastic energy of overlaps, which steps leave rough, exactly
+    /// Completes the elastic energies of overlaps, which steps leave rough: not for two threads at a time.
+    Energy energy() const;
     Losses losses() const;  ///< where friction and dashpots dissipated energy [J]
     Statistics statistics() const;
     PhaseTimes phase_times() const;  ///< since the start, or since the state was restored

@@ -62,7 +62,7 @@ bool has_fallen_now(const RunResult& run, const Simulation& simulation, std::siz
     return has_fallen(0.5 * run.blocks.size[b], start.toRotationMatrix(), simulation.orientation(b).toRotationMatrix(), sunk);
 }
 
-void add_sample(RunResult& run, Simulation& simulation) {
+void add_sample(RunResult& run, const Simulation& simulation) {
     History& history = run.history;
     history.time.push_back(simulation.time());
     history.base.push_back(simulation.base());
