@@ -58,7 +58,7 @@ TEST_CASE("every defect of a DEEPSOIL motion is reported with its line") {
 
 TEST_CASE("rows of times and values that do not follow a row of counts are no DEEPSOIL motion") {
     const tests::TemporaryFolder folder;
-    CHECK(read_record(folder.write("a", "0 0.005\n1 0\n2 0.005\n3 0.01\n")).format == "text");
+    CHECK(read_record(folder.write("a", "0 0.005\n0.01 0\n0.02 0.005\n0.03 0.01\n")).format == "text");
 }
 
 }  // namespace
