@@ -13,7 +13,7 @@ namespace musim::records::detail {
 
 using Json = scaling::JsonReader::Json;
 
-/// What a plain number stands for where a quantity has a dimension: nothing, or SI as in files that musim writes.
+/// Meaning of a plain number where a quantity has a dimension: nothing, or SI as in files that musim writes.
 enum class PlainNumbers { refused, are_si };
 
 /// Parses JSON, in the order of its keys. Throws ReadError, `source: is no JSON (why); what_to_do`, also for numbers beyond doubles and for

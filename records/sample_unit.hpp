@@ -6,7 +6,7 @@
 
 namespace musim::records {
 
-/// What the samples of a series are.
+/// Quantity of a series' samples.
 enum class SampleQuantity { acceleration, velocity, displacement };
 
 /// "acceleration", "velocity" or "displacement".

@@ -5,10 +5,10 @@
 
 namespace musim::lsdem {
 
-/// How exact a run should be, for scenes that do not want to choose every number.
+/// Accuracy of a run, for scenes that do not want to choose every number.
 enum class Accuracy { fast, standard, reference };
 
-/// What an accuracy stands for. Chosen from `musim bench accuracy`; docs/validation/accuracy.md has the sweep and the errors.
+/// Settings that an accuracy stands for. Chosen from `musim bench accuracy`; docs/validation/accuracy.md has the sweep and the errors.
 struct AccuracyPreset {
     double safety = 0.8;  ///< time step over the critical one
 };

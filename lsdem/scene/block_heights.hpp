@@ -17,7 +17,7 @@ inline constexpr double kMostDeviates = 4.0;
 /// At four deviations a block is then a fifth taller or shorter than the others.
 inline constexpr double kMostHeightDeviation = 1.0 / 20.0;
 
-/// How the heights of a structure's blocks vary.
+/// Variation of the heights of a structure's blocks.
 struct HeightVariation {
     scaling::Length deviation{};  ///< standard deviation σ_H, not zero
     std::uint64_t seed = 1;

@@ -9,7 +9,7 @@
 
 namespace musim::lsdem {
 
-/// What a block rests on where it is drawn.
+/// Body that a block rests on where it is drawn.
 struct Carrier {
     std::optional<std::size_t> block;   ///< nothing: the ground
     double gap = 0.0;                   ///< how far the block has to sink until the two meet [m]

@@ -43,7 +43,7 @@ std::string describe(Quantity value) {
     return std::isfinite(value.value()) ? scaling::format_quantity(value) : describe(value.value());
 }
 
-/// What the numbers and quantities of a scene must be.
+/// Check of the numbers and quantities of a scene.
 template <class Value>
 void require(const Value& value, Range range, const JsonPlace& place) {
     if constexpr (std::is_same_v<Value, int>) {

@@ -19,7 +19,7 @@ using scaling::Time;
 /// μ of the prototype's concrete [Harmon23, Table 3].
 constexpr double kPrototypeFriction = 0.59;
 
-/// Of the prototype: how long the synthetic earthquake lasts, and the run, so that the structure comes to rest again; samples and pictures
+/// Durations of the prototype's synthetic earthquake and run, so that the structure comes to rest again; samples and pictures
 /// a second.
 constexpr double kMotionDuration = 10.0, kRunDuration = 12.0;  // [s]
 constexpr double kSpineRate = 100.0, kFrameRate = 25.0;        // [1/s]
@@ -27,8 +27,8 @@ constexpr double kSpineRate = 100.0, kFrameRate = 25.0;        // [1/s]
 /// Whole blocks in a course of the wall.
 constexpr int kBlocksPerLayer = 5;
 
-/// Of the wall's time step: its half blocks come to meet their neighbors by side faces, which are stiffer than what stands at the start
-/// [-].
+/// Safety of the wall's time step: its half blocks come to meet their neighbors by side faces, which are stiffer than what stands at the
+/// start [-].
 constexpr double kWallSafety = 0.4;
 
 /// Layers of a portal: more than a hundred blocks in a list are not for people.

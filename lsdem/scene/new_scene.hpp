@@ -14,7 +14,7 @@ namespace musim::lsdem {
 /// "tower", "wall", "column", "blocks": the structures of a scene.
 const std::vector<std::string>& new_scene_kinds();
 
-/// What a new scene is to be.
+/// Wishes for a new scene.
 struct NewScene {
     std::string kind = "tower";  ///< one of new_scene_kinds()
     MeasuredMaterial material = find_material_preset("wood");
@@ -36,7 +36,7 @@ RecordScale find_scale(const NewScene& wanted);
 /// scaling::SimilitudeError for a length that is not positive.
 Scene make_new_scene(const NewScene& wanted);
 
-/// What to know to change such a scene, whose motion may be a record by now.
+/// Comments that help to change such a scene, whose motion may be a record by now.
 ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene);
 
 }  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 
 namespace musim::lsdem {
 
-/// How blocks come to their places before the motion begins.
+/// Way in which blocks come to their places before the motion begins.
 enum class Placing {
     as_drawn,           ///< where the structure has them
     resting,            ///< each on the plane it rests on, see put_to_rest, with inertia added while they settle
@@ -17,7 +17,7 @@ enum class Placing {
     layers_mass_scaled  ///< the same, with inertia added so that steps are longer, see docs/theory/preparation.md
 };
 
-/// What happens before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
+/// Preparation before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
 struct Preparation {
     bool none = false;               ///< nothing: weight begins to act when the motion does, "preparation": "none"
     std::optional<Placing> placing;  ///< default: layers_mass_scaled when blocks differ in height, else as drawn

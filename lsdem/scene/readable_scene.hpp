@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// How a scene is written for people.
+/// Text of a scene for people.
 struct ReadableText {
     /// Comments by the JSON pointer of their object: "" is the scene itself, "/structure" its structure.
     std::map<std::string, std::vector<std::string>> comments = {};

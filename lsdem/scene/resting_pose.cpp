@@ -190,7 +190,7 @@ class Layer {
         boxes_[i] = pose(i, part);
     }
 
-    /// How deep box i, tilted by `part`, reaches into each of its neighbors, less the clearance [m].
+    /// Depth by which box i, tilted by `part`, reaches into each of its neighbors, less the clearance [m].
     std::vector<double> find_intrusions(std::size_t i, double part) const {
         const detail::Body tilted = to_body(pose(i, part));
         std::vector<double> intrusions;

@@ -198,7 +198,7 @@ struct SignalMotion {
     bool operator==(const SignalMotion&) const = default;
 };
 
-/// What scale_scene did to a base motion so far: times and velocities of the prototype's samples are multiplied by these.
+/// Factors that scale_scene has applied to a base motion so far: times and velocities of the prototype's samples are multiplied by these.
 struct MotionFactors {
     double time = 1.0;
     double velocity = 1.0;           ///< along x and y
@@ -249,11 +249,11 @@ struct OutputSettings {
     bool operator==(const OutputSettings&) const = default;
 };
 
-/// How a pair of materials names the scene's own, and the plane.
+/// Names of the scene's own material, and of the plane, in a pair of materials.
 inline constexpr const char* kOwnMaterialName = "material";
 inline constexpr const char* kGroundName = "ground";
 
-/// What blocks of two materials, or of one and the ground, have together where it does not follow from the two (combine()).
+/// Joint of blocks of two materials, or of one and the ground, where it does not follow from the two (combine()).
 struct PairEntry {
     std::array<std::string, 2> of;                       ///< keys of Scene::materials, kOwnMaterialName, kGroundName
     std::optional<scaling::Stiffness> normal_stiffness;  ///< k_n of the interface over the base of the structure's block
@@ -265,7 +265,7 @@ struct PairEntry {
     bool operator==(const PairEntry&) const = default;
 };
 
-/// How a scene names the ways in which boxes meet, in the order of FaceContact.
+/// Names in a scene of the ways in which boxes meet, in the order of FaceContact.
 const std::vector<std::string>& face_contact_names();
 
 /// About the text that a scene was read from. Scenes that mean the same are equal, whatever their texts.

@@ -14,7 +14,7 @@ struct Spine {
     bool has_top = false;                 ///< the last block is not of the line, but of the top layer above it
 
     std::size_t size() const { return block.size(); }
-    /// How many of the blocks are the line, by which models are compared.
+    /// Number of the blocks that are the line, by which models are compared.
     std::size_t line() const { return block.size() - (has_top ? 1 : 0); }
 };
 

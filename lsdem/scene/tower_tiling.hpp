@@ -48,7 +48,7 @@ struct TowerTiling {
 /// Image of the tiling under a quarter turn (counterclockwise, x to y) about the middle of the grid, sorted.
 TowerTiling rotate_quarter_turn(const TowerTiling& tiling);
 
-/// What a tiling T is worth as one half of a tower's bond, the other half being rot90 T. See docs/theory/structures.md, "Interlock".
+/// Quality of a tiling T as one half of a tower's bond, the other half being rot90 T. See docs/theory/structures.md, "Interlock".
 struct TilingQuality {
     int blocks = 0;                  ///< dominoes of a layer
     bool covers_once = false;        ///< no cell is covered twice
@@ -69,7 +69,7 @@ struct TilingQuality {
 /// Measures a tiling; pure. All counts refer to the two alternating layers T and rot90 T.
 TilingQuality measure_tiling(const TowerTiling& tiling);
 
-/// How a tiling was found.
+/// Search by which a tiling was found.
 struct TilingSearch {
     TowerTiling tiling;
     std::uint64_t nodes = 0;  ///< placements tried by the exact cover

@@ -10,7 +10,7 @@
 #include "scaling/laws/length_range.hpp"
 #include "scaling/structures/distortion.hpp"
 
-/// What is possible in one material by one law.
+/// Candidate: scales that are possible in one material by one law.
 namespace musim::records {
 
 /// The length scales that are looked at.
@@ -53,7 +53,7 @@ struct LimitRanges {
     std::vector<scaling::LengthRange> ranges;
 };
 
-/// Of each limit by itself: the table's by records::find_limit_scales(), others by scaling::find_length_range(); from
+/// Ranges of each limit by itself: the table's by records::find_limit_scales(), others by scaling::find_length_range(); from
 /// records::kSmallestScale to 1.
 std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Models& models);
 
@@ -63,7 +63,7 @@ struct FeasibleRange {
     std::string binds_below, binds_above;  ///< the governing limit beyond; empty: the end of the search
 };
 
-/// What all limits leave, by rising λ_l.
+/// Ranges that all limits leave, by rising λ_l.
 std::vector<FeasibleRange> find_common(const std::vector<LimitRanges>& limits);
 
 /// Two limits that exclude each other.

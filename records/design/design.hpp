@@ -29,7 +29,7 @@ struct Prototype {
     std::optional<scaling::Length> deviation = {};      ///< σ_H, standard deviation of the block heights
 };
 
-/// What blocks of the model can be made of, and how well.
+/// Material that blocks of the model can be made of, and how well.
 struct Material {
     std::string name;
     scaling::Density density{};
@@ -81,7 +81,7 @@ struct Design {
     std::vector<std::string> groups;     ///< that the ranking weighs (names of scaling::group_factors())
 };
 
-/// What the axes have to make, from the record in its prototype form. Throws ReadError and ProcessingError as the steps do.
+/// Loads that the axes have to make, from the record in its prototype form. Throws ReadError and ProcessingError as the steps do.
 std::vector<AxisLoad> make_loads(const GroundMotion& motion, const RecordFile& record, const ShakeTable& table);
 
 /// The same from given peaks. Throws ReadError for an axis that there is not, and for a peak that is missing where its axis has a limit.

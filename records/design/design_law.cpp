@@ -7,7 +7,7 @@ namespace musim::records {
 
 namespace {
 
-/// How laws write groups that scaling::group_factors() gives by name.
+/// Spelling by laws of groups that scaling::group_factors() gives by name.
 struct CommonGroup {
     const char* name;
     const char* product;

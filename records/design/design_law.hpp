@@ -49,7 +49,7 @@ struct KnownProperty {
     std::optional<double> factor;  ///< none where prototype or model do not give it
 };
 
-/// What is known of a model before its law has said anything.
+/// Factors of a model that are known before its law has said anything.
 struct KnownFactors {
     scaling::GivenFactor length;  ///< by the name that scaling::find_length_name() has for it
     double friction = 1.0, density = 1.0;
@@ -57,8 +57,8 @@ struct KnownFactors {
     std::vector<KnownProperty> properties = {};  ///< E, e, k_s
 };
 
-/// What a law is given of it, under the names of scaling/laws: the law's own factors; the length; mu; the density as rho_s where the law
-/// has one, else as rho; g where it is known; and properties that the law expects to be chosen. What the law sets goes before g and
+/// Factors that a law is given of it, under the names of scaling/laws: the law's own factors; the length; mu; the density as rho_s where
+/// the law has one, else as rho; g where it is known; and properties that the law expects to be chosen. What the law sets goes before g and
 /// properties.
 std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known);
 

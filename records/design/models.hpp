@@ -35,7 +35,7 @@ class Models {
     /// need one that is not given are left out.
     std::vector<scaling::NamedFactor> own_groups(double length) const;
 
-    /// What the model has beside its scales.
+    /// Properties of the model beside its scales.
     scaling::ModelProperties properties(const scaling::ModelScales& scales) const;
 
     /// λ of the mass of the blocks, without any that is added.

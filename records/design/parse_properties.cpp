@@ -15,7 +15,7 @@ using detail::require_block;
 using detail::require_positive;
 using detail::require_text;
 
-/// What a structure has unless its object says otherwise.
+/// Values of a structure unless its object says otherwise.
 struct Defaults {
     std::string name;
     std::optional<Block> block = {};

@@ -9,7 +9,7 @@
 #include "records/shake_table/shake_table.hpp"
 #include "scaling/structures/structure_properties.hpp"
 
-/// What a laboratory knows of a prototype and the model it has built.
+/// Knowledge of a laboratory about a prototype and the model it has built.
 namespace musim::records {
 
 /// A motion that is a record: measured, not given.

@@ -8,7 +8,7 @@
 #include "records/design/candidate.hpp"
 #include "scaling/uncertainty/monte_carlo.hpp"
 
-/// What uncertain values of a design do to its answer, by samples of them.
+/// Effects of uncertain values of a design on its answer, by samples of them.
 namespace musim::records {
 
 /// In which share of the samples a limit does what.

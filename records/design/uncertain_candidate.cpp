@@ -22,7 +22,7 @@ struct Case {
 
     ModelState state(double length) const { return find_state(setting, models, length); }
 
-    /// How far a model of one length uses a limit.
+    /// Share of a limit that a model of one length uses.
     double used(const std::string& limit, double length) const {
         const std::vector<Use> uses = find_uses(setting, models.material(), models.at(length));
         const auto named = std::find_if(uses.begin(), uses.end(), [&](const Use& use) { return use.limit == limit; });

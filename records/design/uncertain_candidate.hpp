@@ -6,7 +6,7 @@
 #include "records/design/candidate.hpp"
 #include "scaling/uncertainty/propagate.hpp"
 
-/// What uncertain values of a design do to its answer, to first order.
+/// Effects of uncertain values of a design on its answer, to first order.
 namespace musim::records {
 
 /// A design with one of its uncertain values moved (scaling::read_moved).

@@ -6,7 +6,7 @@
 #include "records/design/design.hpp"
 #include "scaling/laws/model_scales.hpp"
 
-/// How far a model uses each limit of a design.
+/// Share that a model uses of each limit of a design.
 namespace musim::records {
 
 /// A limit and how far one model uses it.

@@ -9,7 +9,8 @@
 
 namespace musim::records {
 
-/// What a file may leave unsaid. A file that says it itself is believed: an option that contradicts it is refused with a ReadError.
+/// Options for what a file may leave unsaid. A file that says it itself is believed: an option that contradicts it is refused with a
+/// ReadError.
 struct ReadOptions {
     std::optional<scaling::Time> dt = {};  ///< time step of files without one
     std::optional<std::string> unit = {};  ///< unit of samples of files without one, e.g. "g", "cm/s^2"; default m/s^2, m/s or m

@@ -37,7 +37,7 @@ enum SmcInteger : std::size_t {
 };
 enum SmcReal : std::size_t { kSmcRate = 2, kSmcLargest = 30, kSmcSmallest = 32 };
 
-/// What the first letter of the file says of its samples.
+/// Samples by the first letter of the file.
 struct Content {
     SampleUnit unit;
     bool is_corrected = true;

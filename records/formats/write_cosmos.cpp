@@ -17,7 +17,7 @@ namespace {
 constexpr double kUnknown = -999.0;
 constexpr std::size_t kHeaderValues = 100;
 
-/// How COSMOS calls a quantity, and the code of its unit.
+/// Name of a quantity in COSMOS, and the code of its unit.
 struct CosmosUnit {
     std::string_view name;  ///< of the quantity
     std::string_view unit;

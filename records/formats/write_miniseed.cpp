@@ -78,7 +78,7 @@ void copy_code(const std::string& code, std::span<char> field) {
     field[length] = '\0';
 }
 
-/// What names a stream besides its station.
+/// Title of a stream besides its station.
 struct StreamTitle {
     std::string channel;
     UtcTime start;

@@ -7,7 +7,7 @@
 #include "records/headers/text_file.hpp"
 #include "scaling/units.hpp"
 
-/// What a header says of its samples must be true of them.
+/// Checks that what a header says of its samples is true of them.
 namespace musim::records::detail {
 
 /// Throws ReadError on line `index` unless `count` samples last the `length` [s] that line `stated_on` gives, to 1 % and two steps: lengths

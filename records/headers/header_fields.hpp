@@ -13,7 +13,7 @@ namespace musim::records::detail {
 /// "20190728_160919.870". A clock `hours_ahead` of UTC shows it; text behind the time is not looked at. Nothing when it cannot be read.
 std::optional<UtcTime> parse_date_time(std::string_view text, double hours_ahead = 0.0);
 
-/// What a header says under one name, and on which line.
+/// Value of a header under one name, and its line.
 struct HeaderField {
     std::size_t line = 0;
     std::string_view text = {};

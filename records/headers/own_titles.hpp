@@ -8,7 +8,7 @@
 #include "records/headers/text_file.hpp"
 #include "scaling/units.hpp"
 
-/// What musim writes into headers of other people's formats, and reads there again.
+/// Titles that musim writes into headers of other people's formats, and reads there again.
 namespace musim::records::detail {
 
 /// In front of GroundMotion::integration_corner: "INTEGRATION CORNER= 0.5 HZ".

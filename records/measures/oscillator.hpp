@@ -29,11 +29,11 @@ inline double find_theta(scaling::Time period, scaling::Time dt) { return 2.0 * 
 /// `theta` = ω·dt > 0, `damping` ζ ≥ 0, both finite.
 OscillatorStep make_oscillator_step(double theta, double damping);
 
-/// How u after the share 0 < s ≤ 1 of a step depends on the state before it and on the loads at both of its ends, in units of the step:
+/// Dependence of u after the share 0 < s ≤ 1 of a step on the state before it and on the loads at both of its ends, in units of the step:
 /// u = u_u·u + u_v·u̇ + u_0·a₀ + u_1·a₁. Other coefficients stay zero.
 OscillatorStep make_part_of_step(double theta, double damping, double share);
 
-/// How steps of an oscillator are parted.
+/// Parts of an oscillator's steps.
 struct Substeps {
     std::size_t count = 1;  ///< in a step, a power of two
     bool fine = true;       ///< short enough for the cubic; false only for periods below 1/40 of the step, see kMostSubsteps

@@ -10,7 +10,7 @@
 namespace musim::records {
 namespace {
 
-/// What a curve's axes are divided by.
+/// Units that a curve's axes are divided by.
 struct CurveUnits {
     double x = 1.0;
     double y = 1.0;

@@ -11,7 +11,7 @@
 
 namespace musim::records {
 
-/// What a curve of a record shows.
+/// Kind of a record's curve.
 enum class CurveKind { acceleration, velocity, displacement, arias, fourier, psa };
 
 /// One curve: g, cm/s, cm, % of the Arias intensity, g·s (Fourier amplitude) or g (PSA) over s, Hz (Fourier amplitude) or s (PSA).
@@ -39,7 +39,7 @@ struct ComponentCurves {
     std::optional<TimeWindow> d5_95;  ///< from 5 % to 95 % of the Arias intensity, on the curves' time
 };
 
-/// What is drawn of every component.
+/// Request of what is drawn of every component.
 struct CurveRequest {
     double damping = 0.05;
     std::optional<TimeWindow> window;  ///< of the histories, in the time of the prototype; peaks and spectra are of all samples

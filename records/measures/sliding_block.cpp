@@ -70,7 +70,7 @@ class Slider {
         return (std::copysign(yield_, slope) - now) / slope;
     }
 
-    /// Of a velocity that is zero now: when it is zero again.
+    /// Time at which a velocity that is zero now is zero again.
     static double find_stop_from_rest(double relative, double slope) {
         const double stop = slope == 0.0 ? -1.0 : -2.0 * relative / slope;
         return stop > 0.0 ? stop : HUGE_VAL;

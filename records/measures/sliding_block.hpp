@@ -4,7 +4,7 @@
 
 namespace musim::records {
 
-/// How far a rigid block slides on a base that moves under it.
+/// Distances that a rigid block slides on a base that moves under it.
 struct Sliding {
     scaling::Length largest;   ///< largest distance from where it lay
     scaling::Length residual;  ///< where it lies at the end, positive with the base's motion ahead of the block

@@ -10,7 +10,7 @@
 
 namespace musim::records {
 
-/// How a record becomes the motion of a simulation's base. Defaults change as little as possible.
+/// Settings by which a record becomes the motion of a simulation's base. Defaults change as little as possible.
 struct BaseMotionSettings {
     std::optional<TimeWindow> window = {};             ///< part of the record to use; all of it by default
     bool take_out_mean = false;                        ///< first; high-passed, an offset would ring

@@ -6,7 +6,7 @@
 
 namespace musim::records {
 
-/// How a Butterworth filter is run.
+/// Passes of a Butterworth filter.
 enum class FilterPhase {
     zero,   ///< forward and backward: no phase shift, amplitudes of one run squared
     causal  ///< forward only: nothing moves before its cause, later arrivals are delayed

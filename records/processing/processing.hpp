@@ -22,10 +22,10 @@ struct TimeWindow {
 /// The samples from `window.start` to `window.end`, both included. Throws when the window is empty or reaches beyond the record.
 TimeSeries cut(const TimeSeries& series, const TimeWindow& window);
 
-/// How many samples are the beginning of a record: 1/64 of them.
+/// Number of samples that are the beginning of a record: 1/64 of them.
 std::size_t find_initial_part(const TimeSeries& series);
 
-/// How strongly a record moves in its beginning: rms of that part about its mean, over the rms of all samples about theirs; 0 without
+/// Strength of a record's motion in its beginning: rms of that part about its mean, over the rms of all samples about theirs; 0 without
 /// motion.
 double find_initial_motion(const TimeSeries& series);
 

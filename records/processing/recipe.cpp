@@ -22,15 +22,15 @@ using detail::Json;
 using scaling::JsonReader;
 using scaling::detail::Overloaded;
 
-constexpr std::string_view kSchema = "musim-recipe/1";
+constexpr std::string_view kRecipeSchema = "musim-recipe/1";
 
-/// What comes before a step's own line in a history.
+/// Mark before a step's own line in a history.
 constexpr std::string_view kHistoryMark = "{\"step\":";
 
 /// Names of the steps in recipes, in the order of Step.
-constexpr std::string_view kNames[] = {"align", "level",         "rest",   "differentiate", "baseline", "taper",  "pad",
-                                       "cut",   "energy_window", "filter", "amplify",       "resample", "rotate", "integrate"};
-static_assert(std::size(kNames) == std::variant_size_v<Step>);
+constexpr std::string_view kStepNames[] = {"align", "level",         "rest",   "differentiate", "baseline", "taper",  "pad",
+                                           "cut",   "energy_window", "filter", "amplify",       "resample", "rotate", "integrate"};
+static_assert(std::size(kStepNames) == std::variant_size_v<Step>);
 
 /// A setting that has no default.
 struct Required {
@@ -144,9 +144,9 @@ Step read_step(const Json& object, const std::string& place) {
     const detail::JsonRules rules(nullptr, detail::PlainNumbers::are_si);
     const JsonReader fields(object, rules, fmt::format("{} ({})", place, name));
     fields.has("step");
-    const auto* const named = std::find(std::begin(kNames), std::end(kNames), name);
-    if (named == std::end(kNames)) fields.fail("is no step", fmt::format("take one of {}", fmt::join(kNames, ", ")));
-    Step step = make_step(static_cast<std::size_t>(named - std::begin(kNames)), std::make_index_sequence<std::size(kNames)>());
+    const auto* const named = std::find(std::begin(kStepNames), std::end(kStepNames), name);
+    if (named == std::end(kStepNames)) fields.fail("is no step", fmt::format("take one of {}", fmt::join(kStepNames, ", ")));
+    Step step = make_step(static_cast<std::size_t>(named - std::begin(kStepNames)), std::make_index_sequence<std::size(kStepNames)>());
     describe(step, SettingReader{fields});
     const auto* const filter = std::get_if<step::Filter>(&step);
     if (filter != nullptr && !filter->band.low && !filter->band.high) fields.fail("has no corner", "add \"low\", \"high\" or both");
@@ -155,7 +155,7 @@ Step read_step(const Json& object, const std::string& place) {
 }
 
 Json to_json(Step step) {
-    Json json{{"step", kNames[step.index()]}};
+    Json json{{"step", kStepNames[step.index()]}};
     describe(step, SettingWriter{json});
     return json;
 }
@@ -223,7 +223,7 @@ GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
 }  // namespace
 
 Recipe parse_recipe(std::string_view json, const std::string& source) {
-    const Json object = detail::parse_object(json, source, kSchema, "recipe", R"("steps": [...])");
+    const Json object = detail::parse_object(json, source, kRecipeSchema, "recipe", R"("steps": [...])");
     if (!object.contains("steps") || !object["steps"].is_array()) throw ReadError(source + ": has no list of steps; add \"steps\": [...]");
     for (const auto& [key, value] : object.items()) {
         if (key != "steps" && key != "name") {
@@ -238,7 +238,7 @@ Recipe parse_recipe(std::string_view json, const std::string& source) {
 }
 
 std::string write_recipe(const Recipe& recipe) {
-    std::string text = fmt::format("{{\n  \"schema\": \"{}\",\n  \"steps\": [", kSchema);
+    std::string text = fmt::format("{{\n  \"schema\": \"{}\",\n  \"steps\": [", kRecipeSchema);
     for (std::size_t i = 0; i < recipe.size(); ++i) text += (i == 0 ? "\n    " : ",\n    ") + to_json(recipe[i]).dump();
     return text + (recipe.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
@@ -252,7 +252,7 @@ GroundMotion process(const GroundMotion& motion, const Recipe& recipe) {
             next.history.insert(next.history.begin() + static_cast<std::ptrdiff_t>(processed.history.size()), to_json(recipe[i]).dump());
             processed = std::move(next);
         } catch (const ProcessingError& error) {
-            throw error.seen_from<ProcessingError>(fmt::format("step {} ({})", i + 1, kNames[recipe[i].index()]));
+            throw error.seen_from<ProcessingError>(fmt::format("step {} ({})", i + 1, kStepNames[recipe[i].index()]));
         }
     }
     return processed;

@@ -4,7 +4,7 @@
 
 namespace musim::records {
 
-/// How values between samples are found.
+/// Interpolation between samples.
 enum class Between {
     band_limited,  ///< what a motion without frequencies above half the sampling rate is there
     straight       ///< straight lines: what simulations take accelerations and velocities for

@@ -10,7 +10,7 @@
 /// The motion that a shake table is given to make.
 namespace musim::records {
 
-/// What is changed in a record before it is given to a table; frequencies are the model's.
+/// Changes of a record before it is given to a table; frequencies are the model's.
 struct DriveSettings {
     std::optional<scaling::Frequency> high_pass = {};  ///< order 2, no phase; none: the corner of an uncorrected record, else no filter
     std::optional<scaling::Frequency> low_pass = {};   ///< order 4, no phase

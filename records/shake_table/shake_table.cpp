@@ -18,7 +18,7 @@ namespace {
 using detail::Json;
 using scaling::JsonReader;
 
-constexpr std::string_view kSchema = "musim-table/1";
+constexpr std::string_view kTableSchema = "musim-table/1";
 
 /// Most digits of a double.
 constexpr int kMostDigits = 17;
@@ -199,7 +199,7 @@ const TableAxis& ShakeTable::find_axis(std::string_view wanted) const {
 }
 
 ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading) {
-    const Json object = detail::parse_object(json, source, kSchema, "shake table", R"("axes": [...])");
+    const Json object = detail::parse_object(json, source, kTableSchema, "shake table", R"("axes": [...])");
     const detail::JsonRules rules(reading), controller_rules;
     const JsonReader fields(object, rules, source);
     ShakeTable table;

@@ -27,7 +27,7 @@ struct OilColumn {
     double share = 1.0;            ///< of the frequency that can be used [-]
 };
 
-/// What the table can do in one direction; what is not limited is not there.
+/// Limits of the table in one direction; what is not limited is not there.
 struct TableAxis {
     std::string name;
     std::optional<scaling::Length> displacement = {};  ///< to either side of the middle: half the stroke
@@ -42,7 +42,7 @@ struct TableAxis {
     std::optional<scaling::Frequency> controller_rate = {};  ///< the table's: samples a second
 };
 
-/// What a column of a drive file holds.
+/// Quantity of a column of a drive file.
 enum class DriveColumn { time, displacement, velocity, acceleration };
 
 /// The file that the controller of a table reads: text, one row a sample.

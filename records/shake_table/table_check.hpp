@@ -17,7 +17,7 @@ namespace musim::records {
 /// Frequency up to which a motion at some sampling rate is left as it is by resample(), over that rate: 0.9 of 0.95 of a half.
 inline constexpr double kFollowedShare = 0.9 * 0.95 * 0.5;
 
-/// What a motion asks of a table.
+/// Demand of a motion on a table.
 struct TableDemand {
     scaling::Length displacement;          ///< largest, to either side of where it starts
     scaling::Length half_range;            ///< half of what lies between the farthest points: what is needed from the best start
@@ -30,8 +30,8 @@ struct TableDemand {
 /// Throws ProcessingError for a motion that is zero everywhere.
 TableDemand find_demand(const DriveMotion& motion, double energy_share);
 
-/// What each component of a model's record asks, changed as `settings` say: its peaks at the step of the controller, its frequencies before
-/// that step takes any away. Throws ProcessingError as the steps do.
+/// Demands of each component of a model's record, changed as `settings` say: its peaks at the step of the controller, its frequencies
+/// before that step takes any away. Throws ProcessingError as the steps do.
 std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSettings& settings, double energy_share);
 
 /// The demand of the model's motion in one direction, from the prototype's; and back.
@@ -40,7 +40,7 @@ TableDemand to_model(const TableDemand& prototype, const scaling::ModelScales& s
 TableDemand to_prototype(const TableDemand& model, const scaling::ModelScales& scales,
                          scaling::Shaking direction = scaling::Shaking::horizontal);
 
-/// What stands on the table.
+/// Payload on the table.
 struct Payload {
     scaling::Mass mass;
     scaling::Length height;     ///< of its centre of mass above the platen
@@ -71,7 +71,7 @@ std::string_view to_string(TableLimit limit);
 /// "m", "m/s", ..., "Hz".
 std::string_view si_unit_name(TableLimit limit);
 
-/// How far a limit is used.
+/// Use of a limit.
 struct LimitUse {
     TableLimit which;
     double demand, limit;  ///< [SI unit of the limit]
@@ -88,7 +88,7 @@ struct LimitUse {
 ///   controller band: the frequencies that resample() keeps at its rate, kFollowedShare of it.
 std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axis, const Payload& payload);
 
-/// What one component of a record, in its prototype form, asks of one axis.
+/// Load of one component of a record, in its prototype form, on one axis.
 struct AxisLoad {
     TableAxis axis;
     TableDemand prototype;
@@ -111,14 +111,14 @@ struct ScaleRange {
 /// Where the search for length scales ends: λ_l from kSmallestScale to 1.
 inline constexpr double kSmallestScale = 1.0 / 16384.0;
 
-/// How far a model of length scale λ_l uses each limit of an axis.
+/// Uses of each limit of an axis by a model of length scale λ_l.
 using UsesOfAxis = std::function<std::vector<LimitUse>(const AxisLoad&, double length)>;
 
 /// The factors of a model of length scale λ_l, by any law.
 using ScalesOfLength = std::function<scaling::ModelScales(double length)>;
 
-/// Of each limit of each axis by itself, as scaling::find_length_ranges() does. An axis called z or vertical shakes vertically. Throws what
-/// `scales_of` throws.
+/// Scales of each limit of each axis by itself, as scaling::find_length_ranges() does. An axis called z or vertical shakes vertically.
+/// Throws what `scales_of` throws.
 std::vector<LimitScales> find_limit_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of);
 
 /// The same for models that `find_uses` judges, as those whose heights and widths scale apart; throws what it throws.

@@ -6,7 +6,7 @@
 #include "records/measures/response_spectrum.hpp"
 #include "records/shake_table/table_check.hpp"
 
-/// What must be given up so that a table can make a motion.
+/// Correction of a motion: what must be given up so that a table can make it.
 namespace musim::records {
 
 /// A model's record, its component i to be made by axis i.

@@ -20,7 +20,7 @@ struct Wavelet {
 /// Its velocity and displacement return to zero to e^{−(θ_d γ/2)²} = 7e-7. Both ends of the record are faded to zero.
 Wavelet make_adjustment_wavelet(double theta, double damping, double peak, std::size_t size);
 
-/// How the response of an oscillator at the time `peak` > 0 [steps] depends on each sample a_k, k from 0 to the sample at the peak or the
+/// Dependence of the response of an oscillator at the time `peak` > 0 [steps] on each sample a_k, k from 0 to the sample at the peak or the
 /// first after it: ∂u/∂a_k in steps, by the recursion of the oscillator run backward. The response to a wavelet is then a sum over the
 /// wavelet's samples.
 std::vector<double> make_influence(double theta, double damping, double peak);

@@ -95,7 +95,7 @@ SpectrumMisfit find_misfit(const TargetSpectrum& target, const std::vector<Respo
     return misfit;
 }
 
-/// What the search makes smaller: the sum of the fourth powers of the logarithms, since the largest counts.
+/// Cost that the search makes smaller: the sum of the fourth powers of the logarithms, since the largest counts.
 double find_cost(const TargetSpectrum& target, const std::vector<Response>& responses) {
     double cost = 0.0;
     for (std::size_t i = 0; i < responses.size(); ++i) {

@@ -20,7 +20,7 @@ struct SpectrumMatchSettings {
     int most_iterations = 200;  ///< trials of a set of wavelets; a real record to a smooth target took 5 to 15
 };
 
-/// How far a spectrum is from its target: |ln(PSA/target)|.
+/// Distance of a spectrum from its target: |ln(PSA/target)|.
 struct SpectrumMisfit {
     double largest = 0.0;
     double mean = 0.0;              ///< over the periods

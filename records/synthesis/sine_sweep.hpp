@@ -4,13 +4,13 @@
 
 namespace musim::records {
 
-/// How the frequency of a sweep goes from its first to its last value.
+/// Course of a sweep's frequency from its first to its last value.
 enum class SweepKind {
     linear,       ///< f₀ + (f₁ − f₀) t/T: equal time per Hz
     logarithmic,  ///< f₀ (f₁/f₀)^{t/T}: equal time per octave
 };
 
-/// What a sine sweep must have: a = A w(t) sin φ(t), φ̇ = 2π f(t), up or down.
+/// Wishes for a sine sweep: a = A w(t) sin φ(t), φ̇ = 2π f(t), up or down.
 struct SineSweepSettings {
     scaling::Acceleration amplitude = 0.1 * scaling::kStandardGravity;  ///< A
     scaling::Frequency first = 0.5 / scaling::si::seconds;              ///< f₀

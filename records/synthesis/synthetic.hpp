@@ -7,7 +7,7 @@
 
 namespace musim::records {
 
-/// What a synthetic record must have. The defaults are the peaks of the papers' Ridgecrest record, China Lake 360 [Andrade22, Table 1].
+/// Wishes for a synthetic record. The defaults are the peaks of the papers' Ridgecrest record, China Lake 360 [Andrade22, Table 1].
 struct SyntheticSettings {
     scaling::Acceleration pga = 0.511 * scaling::kStandardGravity;   ///< peak acceleration
     scaling::Velocity pgv = 0.424 * scaling::si::meters_per_second;  ///< peak velocity
@@ -17,7 +17,7 @@ struct SyntheticSettings {
     std::optional<scaling::Time> d5_95 = {};               ///< significant duration, below about 0.7 of the duration; free by default
 };
 
-/// How near a wanted D5-95 is met [fraction of it].
+/// Nearness to a wanted D5-95 [fraction of it].
 inline constexpr double kDurationTolerance = 0.01;
 
 /// A made acceleration record, one component "1", that has both peaks at once and ends at rest.

@@ -28,7 +28,7 @@ std::string locate(std::string_view text, std::size_t byte) {
     return fmt::format("{}:{}", line, before.size() - line_start + 1);
 }
 
-/// What nlohmann's message says after its own prefix and position.
+/// Reason in nlohmann's message, after its own prefix and position.
 std::string reason(const nlohmann::json::parse_error& error) {
     const std::string message = error.what();
     const std::size_t start = message.find(": ");

@@ -9,11 +9,11 @@
 #include "lsdem/scene/scene.hpp"
 #include "scaling/json_reader.hpp"
 
-/// What the parts of a scene consist of. One list of fields serves reading, writing, checking and scaling; what is unlike others stands in
+/// Fields of the parts of a scene. One list of fields serves reading, writing, checking and scaling; what is unlike others stands in
 /// the functions that do these.
 namespace musim::lsdem::detail {
 
-/// What a value has to be; the last two are of whole numbers.
+/// Range that a value has to be in; the last two are of whole numbers.
 enum class Range { any, finite, positive, not_negative, one_or_more, four_or_more };
 
 /// A member, its key in JSON, and what its value has to be. One that is not required keeps its default where the key is missing; an
@@ -182,7 +182,7 @@ void for_each_field(Part& part, const Visit& visit) {
     std::apply([&](const auto&... field) { (visit(field, part.*field.member), ...); }, kFields<std::remove_const_t<Part>>);
 }
 
-/// What variants are called in JSON, in their order.
+/// Names of variants in JSON, in their order.
 inline constexpr std::array kStructureKinds{"blocks", "column", "tower", "wall"};
 inline constexpr std::array kSignalKinds{"step", "sine", "half_sine", "ricker", "synthetic"};
 

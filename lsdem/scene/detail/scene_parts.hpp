@@ -54,7 +54,7 @@ void read_fields(const scaling::JsonReader& object, Part& part, bool complete = 
     });
 }
 
-/// How quantities stand in JSON: as SI numbers, which come back bit for bit, or as texts with units for people, to seven digits.
+/// Style of quantities in JSON: as SI numbers, which come back bit for bit, or as texts with units for people, to seven digits.
 enum class QuantityStyle { si_number, text };
 
 /// A scene as JSON, all settings written out.

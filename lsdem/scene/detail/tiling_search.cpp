@@ -147,7 +147,7 @@ bool flip_with_opposite(const CellRing& ring, Partners& partners, const Square& 
     return false;
 }
 
-/// How many more dominoes lie along one direction than along the other.
+/// Number of dominoes along one direction beyond those along the other.
 int count_imbalance(const CellRing& ring, const Partners& odd) {
     int cells_along_x = 0;
     for (std::size_t c = 0; c < odd.size(); ++c) {

@@ -8,7 +8,7 @@
 
 #include "records/ground_motion.hpp"
 
-/// What all records made of numbers have in common.
+/// Parts that all records made of numbers have in common.
 namespace musim::records::detail {
 
 /// Throws ProcessingError, naming the kind of record and the setting, unless all values are positive and finite.

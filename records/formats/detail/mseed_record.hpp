@@ -8,7 +8,7 @@
 
 #include "records/utc_time.hpp"
 
-/// What reading and writing with libmseed share.
+/// Parts that reading and writing with libmseed share.
 namespace musim::records::detail {
 
 struct FreeMseedRecord {

@@ -6,7 +6,7 @@
 /// One parser per format, on a file already in memory; errors as of read_record().
 namespace musim::records::detail {
 
-/// What read_record() makes of the bytes of a file called `path`, whatever their format.
+/// Motion that read_record() makes of the bytes of a file called `path`, whatever their format.
 GroundMotion parse_record(const std::filesystem::path& path, std::string bytes, const ReadOptions& options);
 
 GroundMotion parse_afad(const TextFile& file, const ReadOptions& options);
@@ -76,7 +76,7 @@ bool is_miniseed_header(std::string_view bytes);
 /// True when `bytes` begin as a miniSEED 3 record does.
 bool is_miniseed3_header(std::string_view bytes);
 
-/// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
+/// Unit that the options give the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
 SampleUnit requested_unit(const InputFile& file, const ReadOptions& options);
 
 /// The time step the file states on line `index`; throws ReadError unless it is positive and finite.

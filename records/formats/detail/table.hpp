@@ -9,7 +9,7 @@
 
 namespace musim::records::detail {
 
-/// How many samples a header announces, and what it calls that number, e.g. "NPTS".
+/// Number of samples that a header announces, and its name there, e.g. "NPTS".
 struct AnnouncedCount {
     std::size_t count = 0;
     std::string name = {};

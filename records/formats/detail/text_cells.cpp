@@ -53,7 +53,7 @@ bool is_number(std::string_view text, bool has_decimal_commas) {
     return CellReader({.separator = CellSyntax::kBlanks, .has_decimal_commas = has_decimal_commas}).read(text).kind != CellKind::text;
 }
 
-/// What the lines of numbers of a file have in common.
+/// Features that all lines of numbers of a file share.
 class SyntaxSample {
   public:
     explicit SyntaxSample(const TextFile& file) : file_(&file) {

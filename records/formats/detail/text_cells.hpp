@@ -10,7 +10,7 @@
 
 namespace musim::records::detail {
 
-/// How the cells of a table of text are parted, and its numbers written.
+/// Separator of the cells of a table of text, and form of its numbers.
 struct CellSyntax {
     char separator = kBlanks;  ///< ',', ';', a tab, or one of these:
     bool has_decimal_commas = false;

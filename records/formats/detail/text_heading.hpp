@@ -13,7 +13,7 @@ namespace musim::records::detail {
 inline constexpr double kShortestStep = 1e-5;
 inline constexpr double kLongestStep = 0.1;
 
-/// What the text above a table says of its columns.
+/// Statements of the text above a table about its columns.
 struct TextHeading {
     std::vector<ColumnTitle> titles;              ///< one a column; none: the columns have no titles
     std::size_t titles_line = 0;                  ///< of the titles, or of their units
