@@ -14,7 +14,7 @@
 namespace musim::records::detail {
 namespace {
 
-/// What a record's own header says of its layout, every offset checked to lie within the record.
+/// Layout of a record by its own header, every offset checked to lie within the record.
 struct RecordLayout {
     std::size_t length = 0;
     std::size_t count = 0;  ///< samples

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 
 #include <cmath>
+#include <string>
 
 #include "records/detail/text.hpp"
 #include "records/headers/header_fields.hpp"
@@ -36,6 +37,15 @@ bool covers(const pugi::xml_node& channel, UtcTime first, UtcTime last) {
 bool has_location(const pugi::xml_node& channel, std::string_view location) {
     const std::string_view code = trim(channel.attribute("locationCode").value());
     return (code == "--" ? std::string_view{} : code) == location;
+}
+
+/// Text of a child element without blanks at its ends. A comment in it is left out; child_value() would end there.
+std::string text_of(const pugi::xml_node& parent, const char* child) {
+    std::string text;
+    for (const pugi::xml_node& piece : parent.child(child).children()) {
+        if (piece.type() == pugi::node_pcdata || piece.type() == pugi::node_cdata) text += piece.value();
+    }
+    return std::string(trim(text));
 }
 
 pugi::xml_node find_epoch(const BinaryFile& file, const pugi::xml_node& root, const StreamCodes& codes, UtcTime first, UtcTime last) {
@@ -82,26 +92,26 @@ StreamResponse read_stream_response(const std::filesystem::path& path, const Str
     const pugi::xml_node channel = find_epoch(file, root, codes, first, last);
     const pugi::xml_node sensitivity = channel.child("Response").child("InstrumentSensitivity");
     const std::string name = to_string(codes);
-    const std::string_view value_text = trim(sensitivity.child_value("Value"));
+    const std::string value_text = text_of(sensitivity, "Value");
     const std::optional<double> value = parse_real(value_text);
     if (!value || *value == 0.0) {
         file.fail(fmt::format("sensitivity of {} is {} (must be a number, not 0)", name, quoted(value_text)),
                   "fetch the StationXML at level=response");
     }
-    const std::string_view input = trim(sensitivity.child("InputUnits").child_value("Name"));
+    const std::string input = text_of(sensitivity.child("InputUnits"), "Name");
     const std::optional<SampleUnit> unit = find_sample_unit(input);
     if (!unit) {
         file.fail(fmt::format("{} senses {} (known: {})", name, quoted(input), sample_unit_names()), "read another channel");
     }
-    const std::string_view output = trim(sensitivity.child("OutputUnits").child_value("Name"));
+    const std::string output = text_of(sensitivity.child("OutputUnits"), "Name");
     if (!equal_ignoring_case(output, "counts") && !equal_ignoring_case(output, "count")) {
         file.fail(fmt::format("{} gives out {} (must be counts)", name, quoted(output)), Remedy{"give ", Setting::sensitivity});
     }
 
     StreamResponse response{.quantity = unit->quantity, .sensitivity = *value / unit->si};
-    const std::optional<double> dip = parse_real(trim(channel.child_value("Dip")));
+    const std::optional<double> dip = parse_real(text_of(channel, "Dip"));
     constexpr double kVertical = 90.0;  // [deg]
-    if (dip && std::abs(*dip) != kVertical) response.azimuth_deg = parse_real(trim(channel.child_value("Azimuth")));
+    if (dip && std::abs(*dip) != kVertical) response.azimuth_deg = parse_real(text_of(channel, "Azimuth"));
     return response;
 }
 

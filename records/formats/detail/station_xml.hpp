@@ -7,7 +7,7 @@
 
 namespace musim::records::detail {
 
-/// What a StationXML file says of a stream at a time.
+/// Response of a stream at a time by a StationXML file.
 struct StreamResponse {
     SampleQuantity quantity = SampleQuantity::acceleration;
     double sensitivity = 1.0;                ///< total, at its frequency [counts per SI unit]; negative: reversed polarity

@@ -180,6 +180,14 @@ TEST_CASE("StationXML gives sensitivity, quantity and direction of the epoch tha
     CHECK(component.azimuth_deg == 90.0);
 }
 
+TEST_CASE("a comment within a value of a StationXML is left out") {
+    const tests::TemporaryFolder folder;
+    const auto path = folder.write("a", make_record("HNE", 0, {6}));
+    const auto xml = folder.write("a.xml", station_xml(epoch(kAlways, "1<!-- by hand -->2", "m/s<!-- -->**2")));
+
+    CHECK(read_record(path, {.station_xml = xml}).components.front().series.samples()[0] == 6.0 / 12.0);
+}
+
 TEST_CASE("StationXML that does not give the sensitivity is refused by its name") {
     struct Case {
         std::string content;
