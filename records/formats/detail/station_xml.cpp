@@ -95,17 +95,17 @@ StreamResponse read_stream_response(const std::filesystem::path& path, const Str
     const std::string value_text = text_of(sensitivity, "Value");
     const std::optional<double> value = parse_real(value_text);
     if (!value || *value == 0.0) {
-        file.fail(fmt::format("sensitivity of {} is {} (must be a number, not 0)", name, quoted(value_text)),
+        file.fail(fmt::format("sensitivity of {} is {} (must be a number, not 0)", name, detail::quoted(value_text)),
                   "fetch the StationXML at level=response");
     }
     const std::string input = text_of(sensitivity.child("InputUnits"), "Name");
     const std::optional<SampleUnit> unit = find_sample_unit(input);
     if (!unit) {
-        file.fail(fmt::format("{} senses {} (known: {})", name, quoted(input), sample_unit_names()), "read another channel");
+        file.fail(fmt::format("{} senses {} (known: {})", name, detail::quoted(input), sample_unit_names()), "read another channel");
     }
     const std::string output = text_of(sensitivity.child("OutputUnits"), "Name");
     if (!equal_ignoring_case(output, "counts") && !equal_ignoring_case(output, "count")) {
-        file.fail(fmt::format("{} gives out {} (must be counts)", name, quoted(output)), Remedy{"give ", Setting::sensitivity});
+        file.fail(fmt::format("{} gives out {} (must be counts)", name, detail::quoted(output)), Remedy{"give ", Setting::sensitivity});
     }
 
     StreamResponse response{.quantity = unit->quantity, .sensitivity = *value / unit->si};

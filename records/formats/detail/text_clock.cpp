@@ -8,6 +8,7 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
+#include "records/formats/detail/text_features.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -24,17 +24,13 @@ struct TextLayout {
 /// times and values side by side come one below the other, so do the values of one series. Throws ReadError where two readings are
 /// possible.
 ///
-/// - Times are in the column that its title calls so, else in the first that rises in nine of ten rows; whole numbers that rise by one are
-/// an
-///   index, unless a title or unit says that they are times.
+/// - Times are in the column that its title calls so, else in the first that rises in nine of ten rows; whole numbers that rise by one
+///   are an index, unless a title or unit says that they are times.
 /// - Without titles: groups of values a line that begin with a time each, "t a t a t a", are rows; without times, up to three columns are
 ///   components, more are one series, where neighbors along a line or along a column do not show which.
 TextLayout find_text_layout(const TextFile& file, TextTable& table, const TextHeading& heading, const ReadOptions& options);
 
 /// A column in messages: "column 2 'Acc (g)'".
 std::string place_of(std::size_t column, const TextHeading& heading);
-
-/// Do whole numbers rise by one from row to row?
-bool is_index_column(const TextTable& table, std::size_t column);
 
 }  // namespace musim::records::detail

@@ -21,7 +21,7 @@ std::string make_table() {
     return text;
 }
 
-constexpr const char* kScene = R"({"schema": "musim-scene/1", "material": "wood",
+constexpr const char* kColumnsScene = R"({"schema": "musim-scene/1", "material": "wood",
     "structure": {"kind": "column", "layers": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]},
     "base_motion": {"record": "a.csv", "components": {"x": "x"}, "columns": {"time": 2, "x": 4}, "skip": 3}, "time": {"duration": "1 s"}})";
 
@@ -42,7 +42,7 @@ TEST_CASE("columns and lines of a text record are chosen by options and by keys 
 
     CHECK(here.run("rescale a.csv --unit m/s^2 --columns time=2,x=3 --length 1/4 -o b.csv").exit_code == 0);
     CHECK(here.run("new column --record a.csv --columns time=2,x=3 --skip 3 --component x=x -o new.json").exit_code == 0);
-    here.write("scene.json", kScene);
+    here.write("scene.json", kColumnsScene);
     for (const char* const scene : {"scene.json", "new.json"}) {
         const Outcome checked = here.run(std::string("check ") + scene);
         CHECK_MESSAGE(checked.exit_code == 0, checked.err);

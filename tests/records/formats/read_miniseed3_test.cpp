@@ -198,10 +198,10 @@ TEST_CASE("Steim-2 frames of a real record are decoded as libmseed decodes them"
     std::size_t samples = 0;
     for (std::size_t at = 0; at + 512 <= old.size(); at += 512) {
         const auto count = records::detail::number_at<std::uint16_t>(old, at + 30, std::endian::big);
-        const std::size_t seconds = samples / 100;
-        bytes += bytes_of_ms3({.hour = static_cast<std::uint8_t>(seconds / 3600),
-                               .minute = static_cast<std::uint8_t>(seconds / 60 % 60),
-                               .second = static_cast<std::uint8_t>(seconds % 60),
+        const std::size_t elapsed = samples / 100;  // [s]
+        bytes += bytes_of_ms3({.hour = static_cast<std::uint8_t>(elapsed / 3600),
+                               .minute = static_cast<std::uint8_t>(elapsed / 60 % 60),
+                               .second = static_cast<std::uint8_t>(elapsed % 60),
                                .nanosecond = static_cast<std::uint32_t>(samples % 100 * 10'000'000),
                                .encoding = 11,
                                .count = count,

@@ -10,6 +10,7 @@
 #include "records/formats/read_record.hpp"
 #include "records/processing/base_window.hpp"
 #include "records/processing/motion_change.hpp"
+#include "tests/records/processing/made_series.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
@@ -20,23 +21,6 @@ using lsdem::tests::relative;
 using scaling::si::hertz;
 using scaling::si::seconds;
 using std::numbers::pi;
-
-TimeSeries make_series(std::vector<double> samples, double dt = 0.01, SampleQuantity quantity = SampleQuantity::acceleration) {
-    return {quantity, 0.0 * seconds, dt * seconds, std::move(samples)};
-}
-
-std::vector<double> random_samples(std::size_t size, unsigned seed) {
-    std::mt19937 random(seed);
-    std::vector<double> samples(size);
-    for (double& sample : samples) sample = static_cast<double>(random()) / 4294967296.0 - 0.5;
-    return samples;
-}
-
-double largest(std::span<const double> samples) {
-    double value = 0.0;
-    for (const double sample : samples) value = std::max(value, std::abs(sample));
-    return value;
-}
 
 TEST_CASE("a base motion starts and ends at rest whatever the record") {
     for (const SampleQuantity quantity : {SampleQuantity::acceleration, SampleQuantity::velocity, SampleQuantity::displacement}) {

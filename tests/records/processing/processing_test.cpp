@@ -8,6 +8,7 @@
 #include <random>
 
 #include "records/processing/processing.hpp"
+#include "tests/records/processing/made_series.hpp"
 #include "tests/support/relative.hpp"
 
 namespace musim::records {
@@ -17,23 +18,6 @@ using lsdem::tests::relative;
 using scaling::si::hertz;
 using scaling::si::seconds;
 using std::numbers::pi;
-
-TimeSeries make_series(std::vector<double> samples, double dt = 0.01, SampleQuantity quantity = SampleQuantity::acceleration) {
-    return {quantity, 0.0 * seconds, dt * seconds, std::move(samples)};
-}
-
-std::vector<double> random_samples(std::size_t size, unsigned seed) {
-    std::mt19937 random(seed);
-    std::vector<double> samples(size);
-    for (double& sample : samples) sample = static_cast<double>(random()) / 4294967296.0 - 0.5;
-    return samples;
-}
-
-double largest(std::span<const double> samples) {
-    double value = 0.0;
-    for (const double sample : samples) value = std::max(value, std::abs(sample));
-    return value;
-}
 
 TEST_CASE("a series refuses what is no history") {
     CHECK_THROWS_AS(make_series({1.0}, 0.0), ProcessingError);
