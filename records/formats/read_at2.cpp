@@ -22,7 +22,7 @@ struct At2Header {
     std::string component;
 };
 
-constexpr std::string_view kSeparators = " \t,=";
+constexpr std::string_view kSeparators = " \t,=:";
 
 // token after `name`, e.g. "8000" in "NPTS= 8000, DT= .005"
 std::string_view value_after(std::string_view line, std::string_view name) {
@@ -59,7 +59,8 @@ void read_unit(const TextFile& file, std::size_t index, At2Header& header) {
     if (const auto corner = find_integration_corner(file, index)) header.integration_corner = corner;
     if (const auto start = find_start_time(file, index)) header.start = *start;
     const std::string_view line = file.line(index);
-    for (const std::string_view phrase : {std::string_view("UNITS OF"), std::string_view("UNITS ARE")}) {
+    for (const std::string_view phrase : {std::string_view("UNITS OF"), std::string_view("UNITS ARE"), std::string_view("UNITS="),
+                                          std::string_view("UNITS ="), std::string_view("UNITS:")}) {
         if (!contains_ignoring_case(line, phrase)) continue;
         const std::string_view name = value_after(line, phrase);
         header.unit = find_sample_unit(name);
@@ -92,10 +93,11 @@ At2Header read_header(const TextFile& file) {
     }
     if (header.counts_line == file.size()) file.fail("header has no NPTS line (is it a PEER file?)", "check the file");
     read_counts(file, header);
+    read_unit(file, header.counts_line, header);
 
     // PEER's second of four lines names the record; free-text headers name the event first
     constexpr std::size_t kPeerCountsLine = 3;
-    read_names(file.line(header.counts_line == kPeerCountsLine ? 1 : 0), header);
+    if (header.counts_line > 0) read_names(file.line(header.counts_line == kPeerCountsLine ? 1 : 0), header);
     if (header.component.empty()) header.component.push_back('1');
     return header;
 }

@@ -49,6 +49,17 @@ TEST_CASE("header variants of the PEER family read the same") {
     }
 }
 
+TEST_CASE("a PEER line of counts may state the unit") {
+    const tests::TemporaryFolder folder;
+    for (const std::string counts :
+         {"NPTS= 2, DT= .005 SEC, UNITS= CM/S2", "NPTS: 2, DT: 0.005, Units: gal", "title\nUNITS = cm/s/s\nNPTS= 2, DT= .005"}) {
+        CAPTURE(counts);
+        const GroundMotion motion = read_record(folder.write("a.txt", counts + "\n100.0\n-50.0\n"));
+        CHECK(motion.components.front().name == "1");
+        CHECK(motion.components.front().series.samples()[0] == doctest::Approx(1.0));
+    }
+}
+
 TEST_CASE("velocity and displacement files of the family keep their quantity") {
     const tests::TemporaryFolder folder;
     const auto velocity = folder.write("v", "a\nb\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 1, DT= .01 SEC\n 12.5\n");
