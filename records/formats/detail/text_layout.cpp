@@ -114,6 +114,7 @@ class LayoutFinder {
         if (layout_.samples.empty()) {
             file_->fail(heading_->titles_line, "no column holds samples (titles name times only)", {"give ", Setting::columns});
         }
+        refuse_integrals();
     }
 
     bool is_dated(std::size_t column) const {
@@ -199,18 +200,25 @@ class LayoutFinder {
         for (std::size_t column = 0; column < width; ++column) {
             if (!is_empty_column(*table_, column)) add(column);
         }
+        refuse_integrals();
     }
 
-    /// Accelerations, velocities and displacements without titles would be taken for components.
+    /// Accelerations, velocities and displacements whose titles do not say so would be taken for components.
     void refuse_integrals() const {
         for (std::size_t i = 1; i < layout_.samples.size(); ++i) {
-            const std::size_t column = layout_.samples[i - 1], next = layout_.samples[i];
-            if (title(column) != nullptr || !is_integral(*table_, next, column)) continue;
+            std::size_t column = layout_.samples[i - 1], next = layout_.samples[i];
+            if (says_quantity(column) || says_quantity(next)) continue;
+            if (!is_integral(*table_, next, column)) std::swap(column, next);
+            if (!is_integral(*table_, next, column)) continue;
             file_->fail(table_->rows.front().line,
-                        fmt::format("column {} is the integral of column {} (a velocity beside an acceleration, or the like)", next + 1,
-                                    column + 1),
+                        fmt::format("{} is the integral of {} (a velocity beside an acceleration, or the like)", place_of(next, *heading_),
+                                    place_of(column, *heading_)),
                         {"name what to read with ", Setting::columns});
         }
+    }
+
+    bool says_quantity(std::size_t column) const {
+        return title(column) != nullptr && (title(column)->quantity || title(column)->unit.is_known() || title(column)->is_remark);
     }
 
     [[noreturn]] void refuse_unclear_shape() const {

@@ -115,6 +115,7 @@ TEST_CASE("a column without title that is the integral of another is no componen
     };
     const auto row = [&](std::size_t i) { return fmt::format("{:.3f} {:.6f} {:.6f}", pulse_time(i), pulse(i), velocity(i)); };
     tests::check_refused(tests::lines("", row), "column 3 is the integral of column 2");
+    tests::check_refused(tests::lines("t,A,V\n", row), "column 3 'V' is the integral of column 2 'A'");
     check_laid_out(read_laid_out(tests::lines("", row), {.columns = parse_column_choices("time=1,x=2")}), {kPulsePeak});
     check_laid_out(read_laid_out(tests::lines("t a v\n", row)), {kPulsePeak});
 }
