@@ -65,6 +65,7 @@ constexpr Replacement kSpellings[] = {
     {"foot", "ft"},       {"seconds", "s"},       {"second", "s"},      {"secs", "s"},         {"sec", "s"},         {"milligals", "mgal"},
     {"milligal", "mgal"}, {"gals", "gal"},        {"milli-g", "mg"},    {"milli g", "mg"},     {"millig", "mg"},     {"micro-g", "ug"},
     {"micro g", "ug"},    {"percent of g", "%g"}, {"percent g", "%g"},  {"% of g", "%g"},      {"g's", "g"},         {" per ", "/"},
+    {"_per_", "/"},
 };
 
 /// Names of their own.
@@ -74,8 +75,8 @@ constexpr Replacement kAliases[] = {
 };
 
 /// Endings that make an acceleration and a velocity of a length, blanks, brackets and signs of products left out.
-constexpr std::string_view kPerSecondSquared[] = {"/s^2", "/s2", "/s/s", "/ss",  "s^-2", "s-2",  "ps2", "ps^2",
-                                                  "psps", "_s2", "_s^2", "_s_2", "_s-2", "_ps2", "s2"};
+constexpr std::string_view kPerSecondSquared[] = {"/s^2", "/s2",  "/s/s", "/ss",  "s^-2", "s-2", "ps2", "ps^2", "psps",
+                                                  "_s2",  "_s^2", "_s_2", "_s-2", "_ps2", "s2",  "ss",  "pss",  "_s_s"};
 constexpr std::string_view kPerSecond[] = {"/s", "s^-1", "s-1", "ps", "_s", "_s-1", "_ps"};
 constexpr std::string_view kLengths[] = {"nm", "um", "mm", "cm", "in", "ft", "m"};
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "records/detail/text.hpp"
@@ -142,6 +143,20 @@ bool is_bracket_note(std::string_view text) {
     return small.empty() || has_number || text.size() > kLongestUnit || is_in(kBracketNotes, small);
 }
 
+/// A text with brackets as ASCII has them, for the wide ones of Chinese and Japanese titles.
+std::string with_plain_brackets(std::string_view text) {
+    constexpr std::pair<std::string_view, char> kWide[] = {
+        {"\xEF\xBC\x88", '('}, {"\xEF\xBC\x89", ')'}, {"\xEF\xBC\xBB", '['},
+        {"\xEF\xBC\xBD", ']'}, {"\xE3\x80\x90", '['}, {"\xE3\x80\x91", ']'},
+    };
+    std::string plain(text);
+    for (const auto& [wide, bracket] : kWide) {
+        for (std::size_t at = plain.find(wide); at != std::string::npos; at = plain.find(wide, at))
+            plain.replace(at, wide.size(), 1, bracket);
+    }
+    return plain;
+}
+
 /// A name without what is left when its unit is taken out, fit for one cell of a CSV.
 std::string tidy_name(std::string_view text) {
     std::string name;
@@ -168,7 +183,8 @@ void take_unit(ColumnTitle& title, const ColumnUnit& unit, std::string_view text
 
 /// Units in brackets; the rest is the name. What stands in brackets and is neither a unit nor a note is an unknown unit.
 void take_bracketed_units(ColumnTitle& title) {
-    std::string_view rest = title.text;
+    const std::string plain = with_plain_brackets(title.text);
+    const std::string_view rest = plain;
     std::size_t taken = 0;
     std::string name, unknown;
     const std::vector<Bracketed> groups = find_brackets(rest);
@@ -194,28 +210,67 @@ void take_bracketed_units(ColumnTitle& title) {
 
 /// Is a unit that ends a name without brackets meant as one? "acc_g" yes, "channel m" no.
 bool is_meant(const ColumnUnit& unit, std::string_view text, char separator, std::string_view head) {
-    const bool is_parted = separator == '/' || separator == ',' || separator == ':';
+    const bool is_parted = std::string_view("/,:|=").find(separator) != std::string_view::npos;
     if (unit.seconds) return has_time_word(words_of(head));
-    if (!unit.motion) return is_parted || (text.size() > 1 && !quantity_of(head));
+    if (!unit.motion) return is_parted || (text.size() > 1 && (unit.foreign == "a voltage" || !quantity_of(head)));
     const std::optional<SampleQuantity> named = quantity_of(head);
     if (named == unit.motion->quantity) return true;
     if (named || has_time_word(words_of(head))) return false;
     if (unit.motion->quantity == SampleQuantity::displacement) return is_parted || unit.motion->name == "mm" || unit.motion->name == "cm";
-    return is_parted || text.size() > 1 || separator == '_';
+    return is_parted || text.size() > 1 || separator == '_' || is_in(kBracketNotes, in_small_letters(head));
 }
 
-/// A unit behind "_", "/", ",", ":", a blank or " in "; the longest that is one.
-void take_suffix_unit(ColumnTitle& title) {
-    const std::string_view text = title.name;
-    for (std::size_t at = text.find_first_of("_/,: "); at != std::string_view::npos; at = text.find_first_of("_/,: ", at + 1)) {
-        const std::string_view head = trim(text.substr(0, at)), tail = trim(text.substr(at + 1));
+constexpr std::string_view kUnitSeparators = "_/,:|=-.* ";
+
+/// A unit behind a separator or " in "; the longest that is one.
+bool take_suffix_unit(ColumnTitle& title) {
+    const std::string text = title.name;
+    for (std::size_t at = text.find_first_of(kUnitSeparators); at != std::string::npos; at = text.find_first_of(kUnitSeparators, at + 1)) {
+        const std::string_view whole = text;
+        const std::string_view head = trim(whole.substr(0, at)), tail = trim(whole.substr(at + 1));
         const std::string_view unit_text = tail.starts_with("in ") && tail.size() > 3 ? tail.substr(3) : tail;
         const ColumnUnit unit = read_unit_of(head, unit_text);
         if (head.empty() || !unit.is_known() || !is_meant(unit, unit_text, text[at], head)) continue;
         title.unit = unit;
         title.name = std::string(head);
+        return true;
+    }
+    return false;
+}
+
+/// A unit that a word of accelerations ends with: "accG", "ACCmg", "acc%g".
+bool take_joined_unit(ColumnTitle& title) {
+    constexpr std::size_t kShortestWord = 3;
+    const std::string_view text = title.name;
+    for (std::size_t size = kShortestWord; size < text.size(); ++size) {
+        if (!is_in(kAccelerationWords, in_small_letters(text.substr(0, size)))) continue;
+        const ColumnUnit unit = read_column_unit(text.substr(size));
+        if (!unit.motion || unit.motion->quantity != SampleQuantity::acceleration) continue;
+        title.unit = unit;
+        title.name.resize(size);
+        return true;
+    }
+    return false;
+}
+
+/// A unit before a direction: "acc_g_x", "cm/s^2 NS".
+void take_inner_unit(ColumnTitle& title) {
+    const std::string text(trim(title.name));
+    const std::size_t at = text.find_last_of("_:- ");
+    if (at == std::string::npos || at == 0) return;
+    ColumnTitle head{.name = std::string(trim(std::string_view(text).substr(0, at)))};
+    const std::string tail(trim(std::string_view(text).substr(at + 1)));
+    if (!tail.empty() && !is_in(kBracketNotes, in_small_letters(tail))) return;
+    const ColumnUnit whole = read_column_unit(head.name);
+    // "g_x" may be a rotation rate, "mm NS" is a displacement
+    if (whole.motion && head.name.size() > 1 && whole.motion->quantity == SampleQuantity::acceleration) {
+        head.unit = whole;
+        head.name.clear();
+    } else if (!take_suffix_unit(head) || !head.unit.motion) {
         return;
     }
+    title.unit = head.unit;
+    title.name = head.name + ' ' + tail;
 }
 
 /// A title that is nothing but a unit; what may be a name is none.
@@ -259,8 +314,8 @@ ColumnTitle read_column_title(std::string_view text) {
         if (whole.is_known() && is_unit_alone(whole, trim(title.name))) {
             title.unit = whole;
             title.name.clear();
-        } else {
-            take_suffix_unit(title);
+        } else if (!take_suffix_unit(title) && !take_joined_unit(title)) {
+            take_inner_unit(title);
         }
     }
     title.name = tidy_name(title.name);
@@ -305,6 +360,9 @@ std::optional<std::string_view> find_text_behind_unit(std::string_view line) {
         // "units g"
         std::string_view words = rest;
         if (!rest.empty() && is_blank(rest.front()) && read_column_unit(take_token(words)).is_known()) return trim(rest);
+        // "units - g"
+        if (const std::string_view behind = trim(rest); behind.starts_with("- ") && read_column_unit(behind.substr(2)).is_known())
+            return trim(behind.substr(2));
         const std::size_t mark = rest.find_first_not_of(" \"");
         if (mark == std::string_view::npos || std::string_view(":=\t,;").find(rest[mark]) == std::string_view::npos) continue;
         return trim(rest.substr(mark + 1));
@@ -362,11 +420,13 @@ UnitStatement read_unit_statement(std::string_view line) {
     if (statement.motion) return statement;
 
     // "acceleration in g", "velocity in cm/s at the base", "Acceleration, g"
-    if (const std::size_t in = line.rfind(" in "); in != std::string_view::npos) {
+    for (std::size_t in = line.rfind(" in "); in != std::string_view::npos; in = in > 0 ? line.rfind(" in ", in - 1) : line.npos) {
         std::string_view tail = trim(line.substr(in + 4));
+        const bool speaks_of_samples = has_word(words_of(line.substr(0, in)), kSampleWords);
         for (const std::string_view text : {tail, take_token(tail, " \t,;")}) {
             const ColumnUnit unit = read_column_unit(text);
-            if (unit.motion && (unit.motion->name.size() > 1 || statement.quantity == unit.motion->quantity)) {
+            if (!unit.motion) continue;
+            if (unit.motion->name.size() > 1 || speaks_of_samples || statement.quantity == unit.motion->quantity) {
                 statement.motion = unit.motion;
                 return statement;
             }

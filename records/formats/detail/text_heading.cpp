@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "records/detail/text.hpp"
+#include "records/formats/detail/text_features.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -223,6 +224,8 @@ std::optional<double> read_sampling(std::string_view line) {
 /// Are the cells of a line titles? Lines parted by blanks only may be sentences.
 bool are_titles(const TitleCells& split, const std::vector<ColumnTitle>& titles, const TextLine& line, bool is_nearest) {
     if (has_values(split.cells) || read_sampling(line.text)) return false;
+    // "Unit g, g = 9.81 m/s2"
+    if (line.is_comment && line.text.find(" = ") != std::string_view::npos) return false;
     if (std::all_of(split.cells.begin(), split.cells.end(), is_empty_unit)) return false;
     const bool is_sentence = contains_ignoring_case(line.text, "unit") || contains_ignoring_case(line.text, " vs");
     if (!split.is_parted && is_sentence) return false;
@@ -238,6 +241,17 @@ bool are_titles(const TitleCells& split, const std::vector<ColumnTitle>& titles,
     if (split.is_parted && understood > 0) return true;
     if (std::all_of(split.cells.begin(), split.cells.end(), is_direction)) return true;
     return split.is_parted && is_nearest && !line.is_comment;
+}
+
+/// Do titles call a column a time that does not rise, beside a first one that does? They are a sentence, or stand in another order.
+bool is_time_misplaced(const std::vector<ColumnTitle>& titles, const TextTable& table) {
+    const std::size_t rows = table.rows.size();
+    const bool is_even = std::all_of(table.rows.begin(), table.rows.end(), [&](const TextRow& row) { return row.size == titles.size(); });
+    if (!is_even || titles.size() < 2 || rows < 3 || titles.front().is_time || !is_rising(table, 0, rows)) return false;
+    for (std::size_t column = 1; column < titles.size(); ++column) {
+        if (titles[column].is_time && table.kind(column) == CellKind::number && !is_rising(table, column, rows)) return true;
+    }
+    return false;
 }
 
 /// Adds what a line states; one that says "unit" stands above brackets in other lines.
@@ -284,7 +298,7 @@ TextHeading read_text_heading(const TextFile& file, const TextTable& table) {
         if (heading.titles.empty() && has_cells) {
             std::vector<ColumnTitle> titles;
             for (const std::string_view cell : split.cells) titles.push_back(read_column_title(cell));
-            if (are_titles(split, titles, line, is_nearest || !units.empty())) {
+            if (are_titles(split, titles, line, is_nearest || !units.empty()) && !is_time_misplaced(titles, table)) {
                 heading.titles = std::move(titles);
                 heading.titles_line = line.line;
                 continue;

@@ -96,6 +96,23 @@ TEST_CASE("a unit ends a name without brackets") {
         {"acc in gal", 0.01},
         {"NS_g", tests::kPulseGravity},
         {"Acceleration:cm/s2", 0.01},
+        {"acc-g", tests::kPulseGravity},
+        {"Acc.mg", 1e-3 * tests::kPulseGravity},
+        {"Acc|g", tests::kPulseGravity},
+        {"NS g", tests::kPulseGravity},
+        {"accG", tests::kPulseGravity},
+        {"ACCmg", 1e-3 * tests::kPulseGravity},
+        {"acc%g", 0.01 * tests::kPulseGravity},
+        {"Acccm/s2", 0.01},
+        {"acc_cm_per_s2", 0.01},
+        {"acc_cm_per_sec2", 0.01},
+        {"acc_cm_s_s", 0.01},
+        {"acc_cmss", 0.01},
+        {"acc_cmpss", 0.01},
+        {"acc_g_x", tests::kPulseGravity},
+        {"a_g_", tests::kPulseGravity},
+        {"cm/s^2 NS", 0.01},
+        {"Acc\xEF\xBC\x88gal\xEF\xBC\x89", 0.01},
         {"g", tests::kPulseGravity},
         {"cm/s2", 0.01},
     };
@@ -107,7 +124,7 @@ TEST_CASE("a unit ends a name without brackets") {
         check_titled(motion, {kPulsePeak});
         CHECK_FALSE(history_says(motion, kUnitNotGiven));
     }
-    for (const char* const title : {"acc_x", "acc_n", "channel m", "ch 1"}) {
+    for (const char* const title : {"acc_x", "acc_n", "channel m", "ch 1", "acc_V", "CH-A", "H1-V", "acc-s", "g_x"}) {
         CAPTURE(title);
         CHECK(history_says(read_titled(tests::table(std::string("t_s,") + title + "\n", {1.0})), kUnitNotGiven));
     }
@@ -209,6 +226,10 @@ TEST_CASE("a comment or line of text states the unit, wherever it stands") {
         {"# Units: seconds, mg\n", 1e-3 * tests::kPulseGravity},
         {"Acceleration (cm/s2) vs. Time (s)\n", 0.01},
         {"# Units: cm/s2\n# PGA 0.3 (g)\n", 0.01},
+        {"# PGA = 296 cm/s2\n# values in g\n", tests::kPulseGravity},
+        {"# UNITS - CM/SEC/SEC\n", 0.01},
+        {"# All accelerations in g, time in seconds\n", tests::kPulseGravity},
+        {"# acceleration (cm/s2), time (s)\n", 0.01},
     };
     for (const auto& row : texts) {
         const std::string& text = row.first;
