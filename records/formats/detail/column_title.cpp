@@ -139,6 +139,10 @@ bool is_bracket_note(std::string_view text) {
     const std::string small = in_small_letters(text);
     const bool has_number =
         std::any_of(small.begin(), small.end(), is_digit) && small.find_first_of("/^*") == std::string::npos && !find_sample_unit(text);
+    // "x 0.001 g" is a unit times a number
+    const std::size_t last = small.rfind(' ');
+    const std::optional<SampleUnit> unit = last == std::string::npos ? std::nullopt : find_sample_unit(small.substr(last + 1));
+    if (has_number && unit && unit->quantity == SampleQuantity::acceleration) return false;
     constexpr std::size_t kLongestUnit = 14;  // letters; longer texts explain
     return small.empty() || has_number || text.size() > kLongestUnit || is_in(kBracketNotes, small);
 }

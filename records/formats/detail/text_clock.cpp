@@ -45,6 +45,12 @@ double find_seconds(const TextFile& file, const TextTable& table, const TextHead
         if (const std::optional<double> seconds = find_unit_of(step, *given)) return *seconds;
         if (is_index_column(table, column)) return *given;
     }
+    const std::string strange = column < heading.titles.size() ? plain_unit_text(heading.titles[column].unknown_unit) : "";
+    for (const std::string_view unit : {"d", "day", "days", "tick", "ticks", "sample", "samples", "week", "weeks", "year", "years"}) {
+        if (strange != unit || given) continue;
+        file.fail(heading.titles_line, fmt::format("{} is in {} (no unit of times that is read)", place_of(column, heading), quoted(unit)),
+                  {"give ", Setting::time_step});
+    }
     if (is_usual(step)) return 1.0;
     const std::string rises = fmt::format("{} rises by {:.6g} a row", place_of(column, heading), step);
     if (given) {

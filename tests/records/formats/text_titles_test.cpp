@@ -269,6 +269,12 @@ TEST_CASE("a title gives the unit of times") {
         {kPulsePeak});
 }
 
+TEST_CASE("units times a number, and days or ticks, are asked for") {
+    tests::check_refused(tests::table("Time (s),Acc (x 0.001 g)\n", {1.0}), "names the unit 'x 0.001 g'");
+    tests::check_refused(tests::table("Time (days),Acc (g)\n", {1.0}), "column 1 'Time (days)' is in 'days'");
+    tests::check_refused(tests::table("Time (ticks),Acc (g)\n", {1.0}), "column 1 'Time (ticks)' is in 'ticks'");
+}
+
 TEST_CASE("names of directions are no units") {
     const GroundMotion motion = read_titled(tests::table("Time,NS,EW,UD\n", {1.0, 0.5, 0.2}));
     check_titled(motion, {kPulsePeak, 0.5 * kPulsePeak, 0.2 * kPulsePeak});
