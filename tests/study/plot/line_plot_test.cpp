@@ -94,7 +94,7 @@ TEST_CASE("what lies between two curves is shaded, and counts for the axis") {
     plot.y_logarithmic = true;
     plot.series.push_back({.label = "band", .x = {0.0, 1.0, 2.0}, .y = {1e-3, 1e-2, 1e-1}, .y_error = {}, .y_low = {1e-6, 1e-5, 1e-4}});
     const std::string svg = make_svg(plot);
-    CHECK(svg.find("fill-opacity=\"0.25\"") != std::string::npos);
+    CHECK(svg.find("fill-opacity=\"0.3\"") != std::string::npos);
     CHECK(svg.find(">10⁻⁶<") != std::string::npos);
     plot.series[0].y_low.pop_back();
     CHECK_THROWS_AS(make_svg(plot), std::invalid_argument);

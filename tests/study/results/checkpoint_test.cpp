@@ -238,12 +238,12 @@ TEST_CASE("a checkpoint of another format is refused with file, format and what 
     std::string old = bytes_of(folder.file());
     // the head: a name of 8 bytes, the byte order in 4, the format in 4
     constexpr std::size_t kFormatAt = 12;
-    REQUIRE(old[kFormatAt] == 14);
-    old[kFormatAt] = 13;
+    REQUIRE(old[kFormatAt] == 15);
+    old[kFormatAt] = 14;
     write_bytes(folder.file(), old);
     CHECK(refusal(folder.file()) ==
           folder.file().string() +
-              ": the run cannot be continued (checkpoint: it has format 13, this program reads format 14; continue "
+              ": the run cannot be continued (checkpoint: it has format 14, this program reads format 15; continue "
               "it with the program that wrote it); start it anew");
 }
 
