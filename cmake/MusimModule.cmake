@@ -23,10 +23,11 @@ function(musim_compile_rules target)
     target_compile_options(${target} PRIVATE -fsanitize=${MUSIM_SANITIZE} ${MUSIM_UNCHECKED} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${MUSIM_SANITIZE})
+    target_compile_definitions(${target} PUBLIC $<BUILD_INTERFACE:MUSIM_CONTRACTS=1>)
   endif()
   # accesses to containers, and contracts (lsdem/contract.hpp)
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>
-                                              $<BUILD_INTERFACE:$<$<OR:$<CONFIG:Debug>,$<BOOL:${MUSIM_SANITIZE}>>:MUSIM_CONTRACTS=1>>)
+                                              $<BUILD_INTERFACE:$<$<CONFIG:Debug>:MUSIM_CONTRACTS=1>>)
 endfunction()
 
 # For code made of JSON and text, whose speed nobody waits for: GCC compiles it at -Og in two thirds of the time of -O2. Sanitized, Clang
