@@ -209,7 +209,7 @@ TEST_CASE("without a preparation the same structures fall or stand, and no advic
 // [PatersonZwick09]: n equal blocks stand up to an overhang of (L/2)(1 + 1/2 + ... + 1/n). The joint under the upper k has d = 1 - part of
 // L/(2k) left to its edge. Springs of K per area give under their weight w a wedge of 3d: it tilts them by 2w/(9 K W d²), which moves their
 // centre by a part k h/2 · 2w/(9 K W d³) of d: below 6 % here.
-TEST_CASE("the harmonic overhang stands just inside and falls just outside, prepared or not") {
+TEST_CASE("the harmonic overhang stands just inside and falls just outside, prepared or not" * doctest::test_suite("slow")) {
     for (const auto& [blocks, left] : {std::pair(1, 0.01), std::pair(2, 0.01), std::pair(3, 0.02), std::pair(4, 0.03)}) {
         const int n = blocks;
         CAPTURE(n);
