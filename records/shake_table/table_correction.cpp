@@ -185,13 +185,13 @@ std::vector<Correction> find_corrections(const TableTask& task, const std::vecto
 }
 
 std::vector<scaling::Time> make_task_periods(const std::vector<ComponentUse>& uses) {
-    constexpr std::size_t kPeriods = 50;
+    constexpr std::size_t kTaskPeriods = 50;
     scaling::Frequency lowest = uses.front().demand.lowest_frequency, highest = uses.front().demand.highest_frequency;
     for (const ComponentUse& use : uses) {
         lowest = std::min(lowest, use.demand.lowest_frequency);
         highest = std::max(highest, use.demand.highest_frequency);
     }
-    return make_periods(1.0 / highest, 1.0 / lowest, kPeriods);
+    return make_periods(1.0 / highest, 1.0 / lowest, kTaskPeriods);
 }
 
 }  // namespace musim::records
