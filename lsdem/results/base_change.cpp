@@ -105,8 +105,8 @@ std::vector<std::string> warn_of_changes(const BaseChanges& changes) {
                                 change.difference.pga > records::kChangedPeak * change.record.pga;
         warnings.push_back(fmt::format(
             "the base {} along {} ({}", what, "xyz"[axis],
-            is_treated ? "it was cut, filtered or brought to rest); choose a \"window\" that begins and ends near rest, another "
-                         "\"highpass\", or let it end elsewhere by \"at_rest\": \"displaced\" or as it is by false"
+            is_treated ? "it was cut, filtered or brought to rest); choose a \"window\" that begins and ends near rest, or another "
+                         "\"highpass\"; \"at_rest\": false leaves it as it is"
                        : "its velocity is linear between samples, so that its acceleration is the mean of two); resample the record to a "
                          "finer step, if so short a peak matters"));
     }

@@ -87,7 +87,7 @@ std::string describe(const MotionChange& change, std::string_view source) {
     for (const NamedPeak& peak : name_peaks(change)) {
         text += fmt::format("{}{} {} ({} {}, {})", text.empty() ? "" : ", ", peak.name, peak.base, source, peak.record, peak.change());
     }
-    return text + fmt::format("; largest difference at any time {}, {}, {}", in_gravities(change.difference.pga),
+    return text + fmt::format("; largest difference at any time {} (of means over a step), {}, {}", in_gravities(change.difference.pga),
                               scaling::format_quantity(change.difference.pgv, 3), scaling::format_quantity(change.difference.pgd, 3));
 }
 

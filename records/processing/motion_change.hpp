@@ -38,8 +38,8 @@ MotionChange compare_motions(std::span<const double> velocity, std::span<const d
 /// The same of a velocity and of the record on its clock.
 MotionChange compare_motions(const TimeSeries& velocity, const RecordedMotion& record);
 
-/// "PGA 0.52 g (record 0.5454 g, -4.7 %), PGV 4.39 cm/s (record 4.4 cm/s, -0.2 %), PGD ...; largest difference at any time 0.01 g, 0.2
-/// cm/s, 3 mm". `source`: what the base was made from, in a word.
+/// "PGA 0.52 g (record 0.5454 g, -4.7 %), PGV 4.39 cm/s (record 4.4 cm/s, -0.2 %), PGD ...; largest difference at any time 0.01 g (of
+/// means over a step), 0.2 cm/s, 3 mm". `source`: what the base was made from, in a word.
 std::string describe(const MotionChange& change, std::string_view source = "record");
 
 /// The peaks that changed, as a sentence without its end: "makes PGA 0.52 g where its record has 0.5454 g (-4.7 %)"; empty without any.

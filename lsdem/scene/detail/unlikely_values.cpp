@@ -72,8 +72,9 @@ std::vector<std::string> find_unlikely_values(const Scene& scene) {
     const JsonPlace root{scene.place() + ": /"};
     std::vector<std::string> words;
     if (scene.gravity[2].value() > 0.0) {
-        words.push_back(fmt::format("{}: points upwards (z is up; one value alone is a magnitude, downwards); leave the minus out",
-                                    root.at("gravity").text));
+        words.push_back(fmt::format(
+            "{}: points upwards (z is up; one value alone is a magnitude, downwards); write its magnitude alone, or a negative z",
+            root.at("gravity").text));
     }
     UnlikelyValues values;
     values.add_material(scene.material, root.at("material"));
