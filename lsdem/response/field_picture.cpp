@@ -16,10 +16,10 @@ namespace {
 
 /// Sizes of the picture [px].
 constexpr double kFieldLeft = 74.0, kFieldTop = 79.0, kFieldBottom = 54.0, kBarGap = 26.0, kBarWidth = 18.0, kBarLabels = 92.0;
-/// The longer side of a panel, alone and beside others; a panel alone is not narrower than its title.
-constexpr double kLongSide = 640.0, kLongSideOfMany = 420.0, kLeastWidth = 240.0;
+/// The longer side of a panel, alone and beside others; a panel alone is not narrower than its title, others than the labels of their axis.
+constexpr double kLongSide = 640.0, kLongSideOfMany = 420.0, kLeastWidth = 240.0, kLeastWidthOfMany = 100.0;
 /// Between panels, for their times and scales; and how wide a row may be.
-constexpr double kFieldGap = 14.0, kRowGap = 48.0, kWidestRow = 1100.0;
+constexpr double kFieldGap = 38.0, kRowGap = 48.0, kWidestRow = 1100.0;
 /// Room for the times above the first row.
 constexpr double kTimeRoom = 16.0;
 /// Ticks of an axis, and of one that is narrower than so many pixels.
@@ -85,7 +85,7 @@ PanelGrid lay_out(const CameraImage& image, std::size_t count) {
     const double width = image.pixel * static_cast<double>(image.columns), height = image.pixel * static_cast<double>(image.rows);
     PanelGrid grid{.count = count, .columns = 1, .width = 0.0, .height = 0.0, .scale = 0.0, .offset = 0.0};
     grid.scale = (count == 1 ? kLongSide : kLongSideOfMany) / std::max(width, height);
-    grid.width = std::max(count == 1 ? kLeastWidth : 0.0, width * grid.scale);
+    grid.width = std::max(count == 1 ? kLeastWidth : kLeastWidthOfMany, width * grid.scale);
     grid.height = height * grid.scale;
     grid.offset = 0.5 * (grid.width - width * grid.scale);
     const auto fitting = static_cast<std::size_t>((kWidestRow + kFieldGap) / (grid.width + kFieldGap));
@@ -220,8 +220,10 @@ double find_field_limit(const StoredRun& run, const std::vector<FieldView>& view
 std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& views, const FieldPicture& picture) {
     const PanelGrid grid = lay_out(views.front().image, views.size());
     const bool alone = views.size() == 1;
-    const double width = grid.right() + kBarGap + kBarWidth + kBarLabels;
     const SideNames axes = name_axes(picture.side);
+    const std::string view = fmt::format("seen from {}; velocities relative to the fixed axes, not to the base", axes.stand);
+    const double width =
+        std::max(grid.right() + kBarGap + kBarWidth + kBarLabels, 32.0 + detail::find_text_width(view, detail::kSmallFont));
     const std::string component = name_component(picture.component, picture.side);
     std::string title = component;
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
@@ -229,8 +231,7 @@ std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& v
     std::string svg = detail::open_svg(width, grid.bottom() + kFieldBottom, fmt::format("{}, {}", title, picture.name));
     detail::draw_text(svg, 16.0, 26.0, "start", "class=\"title\"", title);
     detail::draw_text(svg, 16.0, 45.0, "start", "class=\"small\"", detail::shorten(picture.name, detail::kSmallFont, width - 32.0));
-    detail::draw_text(svg, 16.0, 62.0, "start", "class=\"small\"",
-                      fmt::format("seen from {}; velocities relative to the fixed axes, not to the base", axes.stand));
+    detail::draw_text(svg, 16.0, 62.0, "start", "class=\"small\"", view);
     for (std::size_t i = 0; i < views.size(); ++i) {
         const FieldPanel panel(run, views[i], picture, grid, i);
         panel.draw_blocks(svg, i);
