@@ -188,7 +188,7 @@ TEST_CASE("differences of a motion from its record are those in time") {
           "makes PGA 0.102 g where its record has 0.3059 g (-66.7 %) and PGV 100 cm/s where its record has 150 cm/s (-33.3 %)");
     CHECK(describe(change) ==
           "PGA 0.102 g (record 0.3059 g, -66.7 %), PGV 100 cm/s (record 150 cm/s, -33.3 %), PGD 2 m (record 2.75 m, -27.3 %); largest "
-          "difference at any time 0.153 g, 50 cm/s, 750 mm");
+          "difference at any time 0.153 g (of means over a step), 50 cm/s, 750 mm");
     // without accelerations, those of the record's own straight lines
     CHECK(compare_motions(velocity, own, {}, 1.0).record.pga.value() == 1.0);
 }
