@@ -108,15 +108,25 @@ void exchange_all(Archive& archive, Fields& c, RunResult& run) {
     archive(c.program_version, c.build, c.scene, c.places, c.preparation, c.settling, c.plan, c.samples_done, run, c.rest_phase, c.state);
 }
 
-void write_file(const CheckpointSettings& settings, Beside& beside, RunResult& run) {
-    beside.program_version = settings.program_version;
-    beside.build = settings.build;
-    beside.scene = settings.scene;
-    std::ostringstream out;
-    Archive archive;
-    exchange_all(archive, beside, run);
-    write_sealed(out, kKind, archive.bytes());
-    records::write_file_atomically(settings.file, out.view());
+/// Writes a checkpoint with the state of a simulation, if there is one. A failure is reported to the settings, and the run goes on.
+void write_file(const CheckpointSettings& settings, Beside beside, RunResult& run, const Simulation* simulation) {
+    try {
+        if (simulation != nullptr) {
+            std::ostringstream state;
+            simulation->save(state);
+            beside.state = std::move(state).str();
+        }
+        beside.program_version = settings.program_version;
+        beside.build = settings.build;
+        beside.scene = settings.scene;
+        std::ostringstream out;
+        Archive archive;
+        exchange_all(archive, beside, run);
+        write_sealed(out, kKind, archive.bytes());
+        records::write_file_atomically(settings.file, out.view());
+    } catch (const std::runtime_error& error) {
+        if (settings.on_failure) settings.on_failure(error.what());
+    }
 }
 
 }  // namespace
@@ -156,45 +166,27 @@ void remove_checkpoint(const fs::path& file) noexcept { detail::remove_with_left
 
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
                       const Simulation& simulation, const std::optional<RestPhaseState>& rest_phase) {
-    try {
-        std::ostringstream state;
-        simulation.save(state);
-        Beside beside;
-        beside.places = settings.places;
-        beside.plan = plan;
-        beside.samples_done = done;
-        beside.rest_phase = rest_phase;
-        beside.state = std::move(state).str();
-        write_file(settings, beside, run);
-    } catch (const std::runtime_error& error) {
-        if (settings.on_failure) settings.on_failure(error.what());
-    }
+    Beside beside;
+    beside.places = settings.places;
+    beside.plan = plan;
+    beside.samples_done = done;
+    beside.rest_phase = rest_phase;
+    write_file(settings, std::move(beside), run, &simulation);
 }
 
 void write_checkpoint(const CheckpointSettings& settings, PreparationState preparation) {
-    try {
-        Beside beside;
-        beside.preparation = std::move(preparation);
-        RunResult none;
-        write_file(settings, beside, none);
-    } catch (const std::runtime_error& error) {
-        if (settings.on_failure) settings.on_failure(error.what());
-    }
+    Beside beside;
+    beside.preparation = std::move(preparation);
+    RunResult none;
+    write_file(settings, std::move(beside), none, nullptr);
 }
 
 void write_checkpoint(const CheckpointSettings& settings, const SettlingState& settling, const Simulation& simulation) {
-    try {
-        std::ostringstream state;
-        simulation.save(state);
-        Beside beside;
-        beside.places = settings.places;
-        beside.settling = settling;
-        beside.state = std::move(state).str();
-        RunResult none;
-        write_file(settings, beside, none);
-    } catch (const std::runtime_error& error) {
-        if (settings.on_failure) settings.on_failure(error.what());
-    }
+    Beside beside;
+    beside.places = settings.places;
+    beside.settling = settling;
+    RunResult none;
+    write_file(settings, std::move(beside), none, &simulation);
 }
 
 void CheckpointWriter::after_sample(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation) {

@@ -56,9 +56,17 @@ std::vector<NamedPeak> name_peaks(const MotionChange& change) {
             {"PGD", scaling::format_quantity(base.pgd, 3), scaling::format_quantity(record.pgd, 3), base.pgd.value(), record.pgd.value()}};
 }
 
+/// PGA and PGV where they changed; displacement is what an end at home takes.
+std::vector<NamedPeak> name_changed_peaks(const MotionChange& change) {
+    std::vector<NamedPeak> peaks = name_peaks(change);
+    peaks.pop_back();
+    std::erase_if(peaks, [](const NamedPeak& peak) { return !peak.is_changed(); });
+    return peaks;
+}
+
 }  // namespace
 
-bool MotionChange::is_changed() const { return !describe_changed_peaks(*this).empty(); }
+bool MotionChange::is_changed() const { return !name_changed_peaks(*this).empty(); }
 
 MotionChange compare_motions(std::span<const double> velocity, std::span<const double> record_velocity,
                              std::span<const double> record_acceleration, double dt) {
@@ -93,10 +101,7 @@ std::string describe(const MotionChange& change, std::string_view source) {
 
 std::string describe_changed_peaks(const MotionChange& change) {
     std::string text;
-    const std::vector<NamedPeak> peaks = name_peaks(change);
-    for (std::size_t k = 0; k < 2; ++k) {  // displacement is what an end at home takes
-        const NamedPeak& peak = peaks[k];
-        if (!peak.is_changed()) continue;
+    for (const NamedPeak& peak : name_changed_peaks(change)) {
         text += fmt::format("{} {} {} where its record has {} ({})", text.empty() ? "makes" : " and", peak.name, peak.base, peak.record,
                             peak.change());
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "records/formats/read_record.hpp"
 #include "scaling/units.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 /// One pulse, written as loggers and programs write their text files.
 namespace musim::tests {
@@ -43,6 +46,22 @@ inline std::string table(const std::string& header, const std::vector<double>& f
         for (const double factor : factors) line += fmt::format("{}{:.9g}", separator, factor * pulse(i));
         return line;
     });
+}
+
+inline records::GroundMotion read_shape(const std::string& content, const records::ReadOptions& options = {}) {
+    const TemporaryFolder folder;
+    return records::read_record(folder.write("a", content), options);
+}
+
+/// Checks peaks of the components [SI] and the clock of the pulse, as far as six printed digits hold them.
+inline void check_shape(const records::GroundMotion& motion, const std::vector<double>& peaks) {
+    REQUIRE(motion.components.size() == peaks.size());
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const records::TimeSeries& series = motion.components[i].series;
+        CHECK(series.size() == kPulseSamples);
+        CHECK(series.dt().value() == doctest::Approx(kPulseStep).epsilon(1e-9));
+        CHECK(records::find_largest(series.samples()) == doctest::Approx(peaks[i]).epsilon(1e-5));
+    }
 }
 
 }  // namespace musim::tests

@@ -16,26 +16,13 @@ namespace {
 
 using scaling::si::seconds;
 
+using tests::check_shape;
 using tests::kPulsePeak;
 using tests::kPulseSamples;
 using tests::kPulseStep;
 using tests::pulse;
 using tests::pulse_time;
-
-GroundMotion read_laid_out(const std::string& content, const ReadOptions& options = {}) {
-    const tests::TemporaryFolder folder;
-    return read_record(folder.write("a", content), options);
-}
-
-void check_laid_out(const GroundMotion& motion, const std::vector<double>& peaks) {
-    REQUIRE(motion.components.size() == peaks.size());
-    for (std::size_t i = 0; i < peaks.size(); ++i) {
-        const TimeSeries& series = motion.components[i].series;
-        CHECK(series.size() == kPulseSamples);
-        CHECK(series.dt().value() == doctest::Approx(kPulseStep).epsilon(1e-9));
-        CHECK(find_largest(series.samples()) == doctest::Approx(peaks[i]).epsilon(1e-5));
-    }
-}
+using tests::read_shape;
 
 /// Values side by side, `width` a line, each of its index.
 std::string side_by_side(const std::string& header, std::size_t width, const std::string& separator,
@@ -58,14 +45,14 @@ TEST_CASE("times and values side by side, several a line, are one component") {
              {"", "*Amplitude, name=EQ, time=TOTAL TIME\n", "** quake\n*AMPLITUDE, NAME=A\n", "Time (s), Acc (m/s2)\n"}) {
             CAPTURE(width);
             CAPTURE(header);
-            check_laid_out(read_laid_out(side_by_side(header, width, ", ", pair_of)), {kPulsePeak});
+            check_shape(read_shape(side_by_side(header, width, ", ", pair_of)), {kPulsePeak});
         }
     }
-    check_laid_out(read_laid_out(side_by_side("TIME ACCEL TIME ACCEL\n", 2, " ",
-                                              [](std::size_t i) { return fmt::format("{:.3f} {:.6f}", pulse_time(i), pulse(i)); })),
-                   {kPulsePeak});
+    check_shape(read_shape(side_by_side("TIME ACCEL TIME ACCEL\n", 2, " ",
+                                        [](std::size_t i) { return fmt::format("{:.3f} {:.6f}", pulse_time(i), pulse(i)); })),
+                {kPulsePeak});
     const auto triple = [](std::size_t i) { return fmt::format("{:.3f} {:.6f} {:.6f}", pulse_time(i), pulse(i), 0.5 * pulse(i)); };
-    check_laid_out(read_laid_out(side_by_side("", 4, " ", triple)), {kPulsePeak, 0.5 * kPulsePeak});
+    check_shape(read_shape(side_by_side("", 4, " ", triple)), {kPulsePeak, 0.5 * kPulsePeak});
 
     // a slip in one time is damage, not another layout
     tests::check_refused(tests::replaced(side_by_side("", 4, ", ", pair_of), "0.1000,", "0.1030,"),
@@ -78,8 +65,8 @@ TEST_CASE("values side by side without times are one series or several component
     const auto value = [](std::size_t i) { return fmt::format("{:.6f}", pulse(i)); };
     for (const std::size_t width : {std::size_t{4}, std::size_t{5}, std::size_t{8}}) {
         CAPTURE(width);
-        const GroundMotion motion = read_laid_out(side_by_side("", width, " ", value), options);
-        check_laid_out(motion, {kPulsePeak});
+        const GroundMotion motion = read_shape(side_by_side("", width, " ", value), options);
+        check_shape(motion, {kPulsePeak});
         CHECK(motion.history.front().ends_with("several values a line"));
         CHECK(motion.components.front().series.samples()[tests::kPulsePeakSample] == doctest::Approx(kPulsePeak).epsilon(1e-6));
     }
@@ -93,9 +80,9 @@ TEST_CASE("values side by side without times are one series or several component
     };
     for (const char* const header : {"AX (m/s2),AY (m/s2),AZ (m/s2),TBL (m/s2)\n", "CH1,CH2,CH3,CH4\n", ""}) {
         CAPTURE(header);
-        check_laid_out(read_laid_out(channels(header, 4), options), {kPulsePeak, kPulsePeak / 4.0, kPulsePeak / 9.0, kPulsePeak / 16.0});
+        check_shape(read_shape(channels(header, 4), options), {kPulsePeak, kPulsePeak / 4.0, kPulsePeak / 9.0, kPulsePeak / 16.0});
     }
-    CHECK(read_laid_out(channels("AX (m/s2),AY (m/s2),AZ (m/s2),TBL (m/s2)\n", 4), options).component_names() == "AX, AY, AZ, TBL");
+    CHECK(read_shape(channels("AX (m/s2),AY (m/s2),AZ (m/s2),TBL (m/s2)\n", 4), options).component_names() == "AX, AY, AZ, TBL");
 
     // noise that is as unlike along lines as along columns
     const std::string noise = tests::lines("", [](std::size_t i) {
@@ -104,8 +91,8 @@ TEST_CASE("values side by side without times are one series or several component
     });
     tests::check_refused(noise, "4 values a line without titles or times", options);
     tests::check_refused(side_by_side("", 2, " ", value), "2 values a line without titles or times", options);
-    check_laid_out(read_laid_out(side_by_side("", 2, " ", value), {.dt = kPulseStep * seconds, .columns = parse_column_choices("x=1-2")}),
-                   {kPulsePeak});
+    check_shape(read_shape(side_by_side("", 2, " ", value), {.dt = kPulseStep * seconds, .columns = parse_column_choices("x=1-2")}),
+                {kPulsePeak});
 }
 
 TEST_CASE("a column without title that is the integral of another is no component") {
@@ -116,13 +103,13 @@ TEST_CASE("a column without title that is the integral of another is no componen
     const auto row = [&](std::size_t i) { return fmt::format("{:.3f} {:.6f} {:.6f}", pulse_time(i), pulse(i), velocity(i)); };
     tests::check_refused(tests::lines("", row), "column 3 is the integral of column 2");
     tests::check_refused(tests::lines("t,A,V\n", row), "column 3 'V' is the integral of column 2 'A'");
-    check_laid_out(read_laid_out(tests::lines("", row), {.columns = parse_column_choices("time=1,x=2")}), {kPulsePeak});
-    check_laid_out(read_laid_out(tests::lines("t a v\n", row)), {kPulsePeak});
+    check_shape(read_shape(tests::lines("", row), {.columns = parse_column_choices("time=1,x=2")}), {kPulsePeak});
+    check_shape(read_shape(tests::lines("t a v\n", row)), {kPulsePeak});
 }
 
 TEST_CASE("a row of counts above several values a line gives the time step") {
     const auto value = [](std::size_t i) { return fmt::format("{:.6f}", pulse(i)); };
-    check_laid_out(read_laid_out(side_by_side("Quake\n400 0.005\n", 8, " ", value)), {kPulsePeak});
+    check_shape(read_shape(side_by_side("Quake\n400 0.005\n", 8, " ", value)), {kPulsePeak});
 }
 
 TEST_CASE("columns and lines can be chosen") {
@@ -130,14 +117,14 @@ TEST_CASE("columns and lines can be chosen") {
         "Station A\nby hand\n1 2 3\nSample,Time (s),Acc X (m/s2),Acc Z (m/s2)\n" +
         tests::lines("", [](std::size_t i) { return fmt::format("{},{:.3f},{:.6f},{:.6f}", i, pulse_time(i), pulse(i), 0.1 * pulse(i)); });
     const auto chosen = [&](const char* columns, std::optional<std::size_t> skip = {}) {
-        return read_laid_out(content, {.columns = parse_column_choices(columns), .skipped_lines = skip});
+        return read_shape(content, {.columns = parse_column_choices(columns), .skipped_lines = skip});
     };
     CHECK(chosen("time=2,x=3", 4).component_names() == "x");
-    check_laid_out(chosen("time=2,x=3", 4), {kPulsePeak});
-    check_laid_out(chosen("time=2,x=4,y=3", 3), {0.1 * kPulsePeak, kPulsePeak});
-    check_laid_out(chosen("time=Time (s),up=Acc Z,x=acc x (m/s2)", 3), {0.1 * kPulsePeak, kPulsePeak});
-    const auto untimed = read_laid_out(content, {.dt = kPulseStep * seconds, .columns = parse_column_choices("x=3"), .skipped_lines = 4});
-    check_laid_out(untimed, {kPulsePeak});
+    check_shape(chosen("time=2,x=3", 4), {kPulsePeak});
+    check_shape(chosen("time=2,x=4,y=3", 3), {0.1 * kPulsePeak, kPulsePeak});
+    check_shape(chosen("time=Time (s),up=Acc Z,x=acc x (m/s2)", 3), {0.1 * kPulsePeak, kPulsePeak});
+    const auto untimed = read_shape(content, {.dt = kPulseStep * seconds, .columns = parse_column_choices("x=3"), .skipped_lines = 4});
+    check_shape(untimed, {kPulsePeak});
 
     tests::check_refused(content, "time step is unknown", {.columns = parse_column_choices("x=3"), .skipped_lines = 4});
     tests::check_refused(content, "a: no column '9' (the table has 4: Sample, Time (s)",
@@ -165,12 +152,12 @@ TEST_CASE("decimal commas are read where other signs part the cells and no numbe
         CAPTURE(row.second);
         const std::string content =
             tests::lines(row.second, [part = row.first](std::size_t i) { return with_comma(pulse_time(i)) + part + with_comma(pulse(i)); });
-        check_laid_out(read_laid_out(content), {kPulsePeak});
-        CHECK_THROWS_AS(read_laid_out(content + "2,000" + row.first + "1.5\n"), ReadError);
+        check_shape(read_shape(content), {kPulsePeak});
+        CHECK_THROWS_AS(read_shape(content + "2,000" + row.first + "1.5\n"), ReadError);
     }
     const std::string quoted =
         tests::lines("", [](std::size_t i) { return '"' + with_comma(pulse_time(i)) + "\",\"" + with_comma(pulse(i)) + '"'; });
-    check_laid_out(read_laid_out(quoted), {kPulsePeak});
+    check_shape(read_shape(quoted), {kPulsePeak});
     tests::check_refused(tests::table("Time (s),Acc (mm/s2)\n", {1.0}) + "2.000,\"1,017.8\"\n", "sample 401 is '1,017.8'");
 }
 
@@ -184,9 +171,9 @@ TEST_CASE("UTF-16 is read by its byte-order mark") {
             const char low = static_cast<char>(letter & 0xFFU), high = static_cast<char>(letter >> 8U);
             bytes += is_little ? std::string{low, high} : std::string{high, low};
         }
-        check_laid_out(read_laid_out(bytes), {kPulsePeak});
+        check_shape(read_shape(bytes), {kPulsePeak});
     }
-    CHECK_THROWS_AS(read_laid_out("\xFF\xFE"), ReadError);
+    CHECK_THROWS_AS(read_shape("\xFF\xFE"), ReadError);
 }
 
 TEST_CASE("instants are times, and the clock of the record where they say their zone") {
@@ -198,14 +185,14 @@ TEST_CASE("instants are times, and the clock of the record where they say their 
     const auto day = [](std::size_t i) { return 58.147 + pulse_time(i) >= 60.0 - 1e-9 ? 3 : 2; };
     const auto clock = [&](std::size_t i) { return fmt::format("{}:{}:{}", hour(i), minute(i), second(i)); };
 
-    const GroundMotion utc = read_laid_out(tests::lines(
+    const GroundMotion utc = read_shape(tests::lines(
         "time,ax (m/s2)\n", [&](std::size_t i) { return fmt::format("2024-04-{:02}T{}Z,{:.6f}", day(i), clock(i), pulse(i)); }));
-    check_laid_out(utc, {kPulsePeak});
+    check_shape(utc, {kPulsePeak});
     REQUIRE(utc.time_zero.has_value());
     CHECK(to_string(*utc.time_zero) == "2024/04/02 23:59:58.147000");
     CHECK(utc.components.front().series.start().value() == 0.0);
 
-    const GroundMotion ahead = read_laid_out(tests::lines(
+    const GroundMotion ahead = read_shape(tests::lines(
         "time,ax (m/s2)\n", [&](std::size_t i) { return fmt::format("2024-04-{:02} {}+02:00,{:.6f}", day(i), clock(i), pulse(i)); }));
     REQUIRE(ahead.time_zero.has_value());
     CHECK(to_string(*ahead.time_zero) == "2024/04/02 21:59:58.147000");
@@ -222,21 +209,21 @@ TEST_CASE("instants are times, and the clock of the record where they say their 
              tests::lines("Timestamp,a_mps2\n",
                           [](std::size_t i) { return fmt::format("4/2/2024 10:45:{:06.3f} PM,{:.6f}", 22.0 + pulse_time(i), pulse(i)); }),
          }) {
-        const GroundMotion motion = read_laid_out(content);
-        check_laid_out(motion, {kPulsePeak});
+        const GroundMotion motion = read_shape(content);
+        check_shape(motion, {kPulsePeak});
         CHECK_FALSE(motion.time_zero.has_value());
     }
     // milliseconds since 1970
-    const GroundMotion epoch = read_laid_out(tests::lines(
+    const GroundMotion epoch = read_shape(tests::lines(
         "timestamp_ms,ax (m/s2)\n", [](std::size_t i) { return fmt::format("{},{:.6f}", 1712097922147U + 5U * i, pulse(i)); }));
-    check_laid_out(epoch, {kPulsePeak});
+    check_shape(epoch, {kPulsePeak});
     REQUIRE(epoch.time_zero.has_value());
     CHECK(to_string(*epoch.time_zero) == "2024/04/02 22:45:22.147000");
 }
 
 TEST_CASE("times rounded as printed give a whole number of samples a second") {
     constexpr double kRate = 128.0;  // Hz; times are printed to a millisecond, 1/8 of a step
-    const GroundMotion motion = read_laid_out(tests::lines(
+    const GroundMotion motion = read_shape(tests::lines(
         "time(s) acc(m/s2)\n", [](std::size_t i) { return fmt::format("{:.3f} {:.6f}", static_cast<double>(i) / kRate, pulse(i)); }));
     CHECK(motion.components.front().series.dt().value() == 1.0 / kRate);
 }
@@ -275,14 +262,14 @@ TEST_CASE("exports of programs are read with their titles, units and times") {
     };
     for (const auto& file : files) {
         CAPTURE(file.first);
-        check_laid_out(read_laid_out(tests::lines(file.first, file.second)), {kPulsePeak});
+        check_shape(read_shape(tests::lines(file.first, file.second)), {kPulsePeak});
     }
     // three components under the titles of a broadband simulation, times in milliseconds
     const std::string milliseconds = tests::lines("# Time (ms), NS (g), EW (g), UD (g)\n", [](std::size_t i) {
         const double g = pulse(i) / tests::kPulseGravity;
         return fmt::format("{} {:.8f} {:.8f} {:.8f}", 5 * i, g, 0.5 * g, 0.2 * g);
     });
-    check_laid_out(read_laid_out(milliseconds), {kPulsePeak, 0.5 * kPulsePeak, 0.2 * kPulsePeak});
+    check_shape(read_shape(milliseconds), {kPulsePeak, 0.5 * kPulsePeak, 0.2 * kPulsePeak});
 }
 
 TEST_CASE("a text file that may be two records, or lacks values, is refused with its line") {

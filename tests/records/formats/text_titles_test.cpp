@@ -16,25 +16,11 @@ namespace {
 
 using scaling::si::seconds;
 
+using tests::check_shape;
 using tests::kPulsePeak;
 using tests::kPulseSamples;
 using tests::kPulseStep;
-
-GroundMotion read_titled(const std::string& content, const ReadOptions& options = {}) {
-    const tests::TemporaryFolder folder;
-    return read_record(folder.write("a", content), options);
-}
-
-/// Peaks of the components in the unit `si`, and the clock of the pulse.
-void check_titled(const GroundMotion& motion, const std::vector<double>& peaks) {
-    REQUIRE(motion.components.size() == peaks.size());
-    for (std::size_t i = 0; i < peaks.size(); ++i) {
-        const TimeSeries& series = motion.components[i].series;
-        CHECK(series.size() == kPulseSamples);
-        CHECK(series.dt().value() == doctest::Approx(kPulseStep).epsilon(1e-9));
-        CHECK(find_largest(series.samples()) == doctest::Approx(peaks[i]).epsilon(1e-5));
-    }
-}
+using tests::read_shape;
 
 bool history_says(const GroundMotion& motion, std::string_view text) {
     return std::any_of(motion.history.begin(), motion.history.end(),
@@ -75,8 +61,8 @@ TEST_CASE("a unit in a title is understood as people write it") {
             CAPTURE(unit);
             CAPTURE(title);
             const std::string header = "Time (s);" + fmt::format(fmt::runtime(title), unit) + '\n';
-            const GroundMotion motion = read_titled(tests::table(header, {1.0 / si}, ';'));
-            check_titled(motion, {kPulsePeak});
+            const GroundMotion motion = read_shape(tests::table(header, {1.0 / si}, ';'));
+            check_shape(motion, {kPulsePeak});
             CHECK_FALSE(history_says(motion, kUnitNotGiven));
         }
     }
@@ -120,19 +106,19 @@ TEST_CASE("a unit ends a name without brackets") {
         const std::string& title = row.first;
         const double si = row.second;
         CAPTURE(title);
-        const GroundMotion motion = read_titled(tests::table("t_s," + title + "\n", {1.0 / si}));
-        check_titled(motion, {kPulsePeak});
+        const GroundMotion motion = read_shape(tests::table("t_s," + title + "\n", {1.0 / si}));
+        check_shape(motion, {kPulsePeak});
         CHECK_FALSE(history_says(motion, kUnitNotGiven));
     }
     for (const char* const title : {"acc_x", "acc_n", "channel m", "ch 1", "acc_V", "CH-A", "H1-V", "acc-s", "g_x"}) {
         CAPTURE(title);
-        CHECK(history_says(read_titled(tests::table(std::string("t_s,") + title + "\n", {1.0})), kUnitNotGiven));
+        CHECK(history_says(read_shape(tests::table(std::string("t_s,") + title + "\n", {1.0})), kUnitNotGiven));
     }
 }
 
 TEST_CASE("velocities and displacements are known by their units and words") {
     const auto quantity = [](const std::string& header) {
-        return read_titled(tests::table(header, {1.0})).components.front().series.quantity();
+        return read_shape(tests::table(header, {1.0})).components.front().series.quantity();
     };
     for (const char* const unit : {"cm/s", "m/s", "mm/s", "in/s", "ft/s", "kine", "ips", "cm s-1"}) {
         CAPTURE(unit);
@@ -155,9 +141,9 @@ TEST_CASE("a unit that stands in a title and is not understood is asked for") {
     tests::check_refused(tests::table("# a (g)\n# b (cm/s2)\n", {1.0}), "title names two units, g and cm/s^2");
     tests::check_refused(tests::table("Time (s),NS (g),EW\n", {1.0, 0.5}), "column 3 'EW' names no unit (column 2 'NS (g)' is in g)");
 
-    check_titled(read_titled(tests::table("Time (s),Acc (furlong/h2)\n", {1.0}), {.unit = "g"}), {kPulsePeak * tests::kPulseGravity});
-    check_titled(read_titled(tests::table("Time (s),NS (g),EW\n", {1.0, 0.5}), {.unit = "g"}),
-                 {kPulsePeak * tests::kPulseGravity, 0.5 * kPulsePeak * tests::kPulseGravity});
+    check_shape(read_shape(tests::table("Time (s),Acc (furlong/h2)\n", {1.0}), {.unit = "g"}), {kPulsePeak * tests::kPulseGravity});
+    check_shape(read_shape(tests::table("Time (s),NS (g),EW\n", {1.0, 0.5}), {.unit = "g"}),
+                {kPulsePeak * tests::kPulseGravity, 0.5 * kPulsePeak * tests::kPulseGravity});
 }
 
 TEST_CASE("voltages and counts are refused by name, other columns beside motions are left out and named") {
@@ -170,8 +156,8 @@ TEST_CASE("voltages and counts are refused by name, other columns beside motions
     tests::check_refused(tests::table("Time (s),Temp (°C)\n", {1.0}), "holds a temperature");
 
     const GroundMotion motion =
-        read_titled(tests::table("Time (s),Acc X (m/s2),Temp (°C),LVDT (mV),gyro_x_dps,Battery\n", {1.0, 0.1, 0.2, 0.3, 0.4}));
-    check_titled(motion, {kPulsePeak});
+        read_shape(tests::table("Time (s),Acc X (m/s2),Temp (°C),LVDT (mV),gyro_x_dps,Battery\n", {1.0, 0.1, 0.2, 0.3, 0.4}));
+    check_shape(motion, {kPulsePeak});
     CHECK(motion.component_names() == "Acc X");
     CHECK(history_says(motion, "note: a: column 4 'LVDT (mV)' is left out (a voltage)"));
     CHECK(history_says(motion, "column 5 'gyro_x_dps' is left out (a rotation rate)"));
@@ -181,17 +167,17 @@ TEST_CASE("voltages and counts are refused by name, other columns beside motions
 TEST_CASE("accelerations stand alone beside velocities and displacements, or what is asked for does") {
     const std::string content =
         tests::table("Time [sec]\tAcceleration [g]\tVelocity [cm/sec]\tDisplacement [cm]\n", {1.0 / tests::kPulseGravity, 20.0, 3.0}, '\t');
-    check_titled(read_titled(content), {kPulsePeak});
-    check_titled(read_titled(content, {.unit = "g"}), {kPulsePeak});
-    check_titled(read_titled(content, {.quantity = SampleQuantity::velocity}), {0.2 * kPulsePeak});
-    check_titled(read_titled(content, {.unit = "cm"}), {0.03 * kPulsePeak});
-    CHECK(history_says(read_titled(content), "column 3 'Velocity [cm/sec]' is left out (velocity)"));
+    check_shape(read_shape(content), {kPulsePeak});
+    check_shape(read_shape(content, {.unit = "g"}), {kPulsePeak});
+    check_shape(read_shape(content, {.quantity = SampleQuantity::velocity}), {0.2 * kPulsePeak});
+    check_shape(read_shape(content, {.unit = "cm"}), {0.03 * kPulsePeak});
+    CHECK(history_says(read_shape(content), "column 3 'Velocity [cm/sec]' is left out (velocity)"));
 
-    check_titled(read_titled(tests::table("t a v d\n", {1.0, 20.0, 3.0}, ' ')), {kPulsePeak});
+    check_shape(read_shape(tests::table("t a v d\n", {1.0, 20.0, 3.0}, ' ')), {kPulsePeak});
     tests::check_refused(tests::table("t / s,v / (cm/s),u / cm\n", {1.0, 2.0}), "columns hold velocities and displacements");
     tests::check_refused(tests::table("Time (s),Acc (g)\n", {1.0}), "title names the unit g (asked for: cm/s)", {.unit = "cm/s"});
-    const GroundMotion overruled = read_titled(tests::table("Time (s),Acc (g)\n", {1.0}), {.unit = "cm/s2"});
-    check_titled(overruled, {0.01 * kPulsePeak});
+    const GroundMotion overruled = read_shape(tests::table("Time (s),Acc (g)\n", {1.0}), {.unit = "cm/s2"});
+    check_shape(overruled, {0.01 * kPulsePeak});
     CHECK(history_says(overruled, "is read in cm/s^2 as asked for (its title names g)"));
 }
 
@@ -202,8 +188,8 @@ TEST_CASE("the length of a vector beside its components is left out") {
         return fmt::format("{:.9E},{:.9E},{:.9E},{:.9E}", tests::pulse_time(i), tests::pulse(i), -0.5 * tests::pulse(i),
                            1.2 * std::abs(tests::pulse(i)));
     });
-    const GroundMotion motion = read_titled(content);
-    check_titled(motion, {kPulsePeak, 0.5 * kPulsePeak});
+    const GroundMotion motion = read_shape(content);
+    check_shape(motion, {kPulsePeak, 0.5 * kPulsePeak});
     CHECK(motion.component_names() == "Linear Acceleration x, Linear Acceleration y");
     CHECK(history_says(motion, "is left out (the length of a vector)"));
     CHECK(motion.find_component("2").name == "Linear Acceleration y");  // by its number, too
@@ -235,8 +221,8 @@ TEST_CASE("a comment or line of text states the unit, wherever it stands") {
         const std::string& text = row.first;
         const double si = row.second;
         CAPTURE(text);
-        const GroundMotion motion = read_titled(tests::table(text, {1.0 / si}, ' '));
-        check_titled(motion, {kPulsePeak});
+        const GroundMotion motion = read_shape(tests::table(text, {1.0 / si}, ' '));
+        check_shape(motion, {kPulsePeak});
         CHECK_FALSE(history_says(motion, kUnitNotGiven));
     }
 }
@@ -253,17 +239,17 @@ TEST_CASE("a title gives the unit of times") {
         const std::string content = tests::lines(row.first + ";Acc (m/s2)\n", [factor = row.second](std::size_t i) {
             return fmt::format("{:.10g};{:.6f}", tests::pulse_time(i) * factor, tests::pulse(i));
         });
-        check_titled(read_titled(content), {kPulsePeak});
-        check_titled(read_titled(content, {.dt = kPulseStep * seconds}), {kPulsePeak});
+        check_shape(read_shape(content), {kPulsePeak});
+        check_shape(read_shape(content, {.dt = kPulseStep * seconds}), {kPulsePeak});
         tests::check_refused(content, "file states its time step 0.005 s (asked for: 0.01 s)", {.dt = 0.01 * seconds});
     }
     // below it, too, and in the last column
-    check_titled(
-        read_titled(tests::lines("Time,Acceleration\nms,g\n",
-                                 [](std::size_t i) { return fmt::format("{},{:.8f}", 5 * i, tests::pulse(i) / tests::kPulseGravity); })),
+    check_shape(
+        read_shape(tests::lines("Time,Acceleration\nms,g\n",
+                                [](std::size_t i) { return fmt::format("{},{:.8f}", 5 * i, tests::pulse(i) / tests::kPulseGravity); })),
         {kPulsePeak});
-    check_titled(
-        read_titled(tests::lines(
+    check_shape(
+        read_shape(tests::lines(
             "ax (g),Time (s)\n",
             [](std::size_t i) { return fmt::format("{:.8f},{:.3f}", tests::pulse(i) / tests::kPulseGravity, tests::pulse_time(i)); })),
         {kPulsePeak});
@@ -276,15 +262,15 @@ TEST_CASE("units times a number, and days or ticks, are asked for") {
 }
 
 TEST_CASE("names of directions are no units") {
-    const GroundMotion motion = read_titled(tests::table("Time,NS,EW,UD\n", {1.0, 0.5, 0.2}));
-    check_titled(motion, {kPulsePeak, 0.5 * kPulsePeak, 0.2 * kPulsePeak});
+    const GroundMotion motion = read_shape(tests::table("Time,NS,EW,UD\n", {1.0, 0.5, 0.2}));
+    check_shape(motion, {kPulsePeak, 0.5 * kPulsePeak, 0.2 * kPulsePeak});
     CHECK(motion.component_names() == "NS, EW, UD");
     const std::string alone = tests::lines("NS\n", [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); });
-    check_titled(read_titled(alone, {.dt = kPulseStep * seconds}), {kPulsePeak});
-    check_titled(read_titled(tests::table("Time (s),Acc (N) [m/s2],Acc (V) [m/s2]\n", {1.0, 0.5})), {kPulsePeak, 0.5 * kPulsePeak});
+    check_shape(read_shape(alone, {.dt = kPulseStep * seconds}), {kPulsePeak});
+    check_shape(read_shape(tests::table("Time (s),Acc (N) [m/s2],Acc (V) [m/s2]\n", {1.0, 0.5})), {kPulsePeak, 0.5 * kPulsePeak});
     const std::string nanoseconds = tests::lines(
         "time_ns,ax_g\n", [](std::size_t i) { return fmt::format("{},{:.8f}", 5000000 * i, tests::pulse(i) / tests::kPulseGravity); });
-    check_titled(read_titled(nanoseconds), {kPulsePeak});
+    check_shape(read_shape(nanoseconds), {kPulsePeak});
 }
 
 TEST_CASE("a step that records do not have needs a unit of time or the step") {
@@ -296,12 +282,12 @@ TEST_CASE("a step that records do not have needs a unit of time or the step") {
         CAPTURE(step);
         tests::check_refused(with_step("Time,Acc\n", step), "a row (no unit of time is named");
     }
-    check_titled(read_titled(with_step("Time,Acc\n", 5.0), {.dt = kPulseStep * seconds}), {kPulsePeak});
-    check_titled(read_titled(with_step("", 5000.0), {.dt = kPulseStep * seconds}), {kPulsePeak});
+    check_shape(read_shape(with_step("Time,Acc\n", 5.0), {.dt = kPulseStep * seconds}), {kPulsePeak});
+    check_shape(read_shape(with_step("", 5000.0), {.dt = kPulseStep * seconds}), {kPulsePeak});
     tests::check_refused(with_step("Time,Acc\n", 5.0), "in no unit of time that is 0.004 s", {.dt = 0.004 * seconds});
     tests::check_refused(with_step("Time,Acc\n", kPulseStep), "file states its time step 0.005 s", {.dt = 0.004 * seconds});
-    CHECK(read_titled(with_step("Time,Acc\n", 0.1)).components.front().series.dt().value() == 0.1);
-    CHECK(read_titled(with_step("Time (s),Acc\n", 0.2)).components.front().series.dt().value() == 0.2);
+    CHECK(read_shape(with_step("Time,Acc\n", 0.1)).components.front().series.dt().value() == 0.1);
+    CHECK(read_shape(with_step("Time (s),Acc\n", 0.2)).components.front().series.dt().value() == 0.2);
 }
 
 TEST_CASE("whole numbers that rise by one are an index unless a title says that they are times") {
@@ -312,16 +298,16 @@ TEST_CASE("whole numbers that rise by one are an index unless a title says that 
                 return fmt::format("{},{:.8f}", i + static_cast<std::size_t>(first), tests::pulse(i) / tests::kPulseGravity);
             });
             tests::check_refused(content, "counts rows, and is no time");
-            check_titled(read_titled(content, {.dt = kPulseStep * seconds}), {kPulsePeak});
+            check_shape(read_shape(content, {.dt = kPulseStep * seconds}), {kPulsePeak});
         }
     }
     const std::string of_seconds =
         tests::lines("Time (s),acc (m/s2)\n", [](std::size_t i) { return fmt::format("{},{:.6f}", i, tests::pulse(i)); });
-    CHECK(read_titled(of_seconds).components.front().series.dt().value() == 1.0);
+    CHECK(read_shape(of_seconds).components.front().series.dt().value() == 1.0);
     // an index beside times
-    check_titled(read_titled(tests::lines(
-                     "", [](std::size_t i) { return fmt::format("{} {:.3f} {:.6f}", i + 1, tests::pulse_time(i), tests::pulse(i)); })),
-                 {kPulsePeak});
+    check_shape(read_shape(tests::lines(
+                    "", [](std::size_t i) { return fmt::format("{} {:.3f} {:.6f}", i + 1, tests::pulse_time(i), tests::pulse(i)); })),
+                {kPulsePeak});
 }
 
 TEST_CASE("text above the numbers states the time step") {
@@ -329,7 +315,7 @@ TEST_CASE("text above the numbers states the time step") {
          {"# dt = 0.005 s\n", "# Sampling rate: 200 Hz\n", "# sample interval (ms): 5\n", "# fs=200\n", "Sampling frequency,200 Hz\n"}) {
         CAPTURE(header);
         const std::string content = tests::lines(header, [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); });
-        check_titled(read_titled(content), {kPulsePeak});
+        check_shape(read_shape(content), {kPulsePeak});
         tests::check_refused(content, "file states its time step 0.005 s", {.dt = 0.01 * seconds});
     }
     tests::check_refused(tests::lines("# dt = 5\n", [](std::size_t i) { return fmt::format("{:.6f}", tests::pulse(i)); }),
