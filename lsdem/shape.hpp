@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "lsdem/level_set.hpp"
+#include "lsdem/solid/mass_properties.hpp"
+#include "lsdem/solid/solid.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
@@ -28,14 +32,17 @@ struct SurfaceNodes {
 
 /// Geometry of a block, shared by all blocks that are equal: level set, surface nodes, mass properties of the homogeneous solid.
 struct Shape {
-    std::variant<BoxLevelSet, GridLevelSet> level_set;
+    std::variant<BoxLevelSet, GridLevelSet> level_set;  ///< of a solid its bounding box, which contacts do not ask
+    /// In the body frame. Nothing: a box of `half_extents`, or a round body.
+    std::shared_ptr<const Solid> solid;
+    Placing own;  ///< the frame in which the solid was drawn, in the body frame
     SurfaceNodes nodes;
     bool faceted = true;                          ///< flat faces across the body axes, as of a box
     Vector3 node_spacing = Vector3::Zero();       ///< of the lattice of a box, along the body axes [m]
-    Vector3 half_extents = Vector3::Zero();       ///< of the bounding box in the body frame [m]
+    Vector3 half_extents = Vector3::Zero();       ///< of the smallest box about the body's origin and axes that holds it [m]
     double volume = 0.0;                          ///< [m³]
     Vector3 inertia_over_mass = Vector3::Zero();  ///< principal moments per unit mass [m²]
-    double face_area = 0.0;                       ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
+    double face_area = 0.0;                       ///< A_face, the face k_n and k_s refer to: the base, across the body z axis [m²]
 };
 
 /// Numbers of nodes along each edge of a box, ends included.
@@ -54,6 +61,12 @@ Shape make_box_shape(const Vector3& size, const NodeLattice& lattice);
 
 /// The same nodes and mass properties with the level set sampled on a regular grid of spacing `voxel` [m].
 Shape make_grid_box_shape(const Vector3& size, const NodeLattice& lattice, double voxel);
+
+/// A solid bounded by planes, drawn in any frame. Its body frame has its origin in the centre of mass and its axes along the principal axes
+/// of inertia, see find_principal_axes. The base, A_face, is made of the faces within 15° of the drawn frame's -z, or, where there is none,
+/// within 15° of the face that is nearest to it. `given`: centre of mass and inertia in the place of those of the homogeneous solid, in the
+/// drawn frame, and the volume that a density refers to. Throws std::invalid_argument of a solid without volume.
+Shape make_solid_shape(const Solid& drawn, const std::optional<MassProperties>& given = {});
 
 /// Sphere of the given radius [m] as a grid level set, with `node_count` nodes spread evenly over its surface (Fibonacci lattice).
 Shape make_sphere_shape(double radius, std::size_t node_count, double voxel);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lsdem/solid/solid.hpp"
+
+namespace musim::lsdem {
+
+/// Width of the widest gap that a plane along a face of one, or along an edge of each, leaves between two convex polyhedra [m]: they are no
+/// nearer to each other. Negative: the least depth by which they overlap, over these planes, which is the shortest way to part them.
+/// `place`: of b in the frame of a.
+double find_gap(const Polyhedron& a, const Polyhedron& b, const Placing& place);
+
+/// The same for solids of several pieces: the least over pairs of pieces.
+double find_gap(const Solid& a, const Solid& b, const Placing& place);
+
+}  // namespace musim::lsdem
