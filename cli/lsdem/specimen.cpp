@@ -130,7 +130,7 @@ int run_specimen(const SpecimenOptions& options) {
         const auto& names = lsdem::placing_names();
         if (!batch.scene.preparation) batch.scene.preparation.emplace();
         batch.scene.preparation->placing =
-            static_cast<lsdem::Placing>(std::find(names.begin(), names.end(), options.placing) - names.begin());
+            static_cast<lsdem::BlockPlacing>(std::find(names.begin(), names.end(), options.placing) - names.begin());
         lsdem::check_scene(batch.scene, options.scene);
     }
     for (int i = 0; i < options.seeds; ++i) batch.seeds.push_back(static_cast<std::uint64_t>(i) + lsdem::seed_of(batch.scene));

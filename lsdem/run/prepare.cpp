@@ -109,9 +109,9 @@ class PreparationRun {
   private:
     using Layers = std::vector<std::pair<std::size_t, std::size_t>>;
 
-    bool by_layers() const { return placing_ != Placing::as_drawn; }
-    bool resting() const { return placing_ == Placing::resting; }
-    bool scales_mass() const { return resting() || placing_ == Placing::layers_mass_scaled; }
+    bool by_layers() const { return placing_ != BlockPlacing::as_drawn; }
+    bool resting() const { return placing_ == BlockPlacing::resting; }
+    bool scales_mass() const { return resting() || placing_ == BlockPlacing::layers_mass_scaled; }
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
     bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
@@ -209,7 +209,7 @@ class PreparationRun {
         state_.releases.insert(state_.releases.end(), releases.begin(), releases.end());
     }
 
-    Placing placing_;
+    BlockPlacing placing_;
     Layers layers_;
     const PreparationSettings& settings_;
     PreparationState state_;
@@ -280,7 +280,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     }
     put_in_place(*own->start, prepared.specimen);
     PreparationSettings standing = preparation;
-    standing.placing = Placing::as_drawn;
+    standing.placing = BlockPlacing::as_drawn;
     standing.whole_rounds = 1;
     PreparationRun work(prepared.specimen, time_step, standing, settings.threads, own);
     work.run(settings, prepared, progress);
@@ -288,9 +288,9 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
 }
 
 PreparationWork estimate_preparation(const Specimen& upright, double time_step, const PreparationSettings& preparation) {
-    if (preparation.placing == Placing::as_drawn) return {};
-    const bool resting = preparation.placing == Placing::resting;
-    const double stride = resting || preparation.placing == Placing::layers_mass_scaled ? preparation.stride : 1.0;
+    if (preparation.placing == BlockPlacing::as_drawn) return {};
+    const bool resting = preparation.placing == BlockPlacing::resting;
+    const double stride = resting || preparation.placing == BlockPlacing::layers_mass_scaled ? preparation.stride : 1.0;
     const double decay_time = 1.0 / (preparation.settling.damping_rate * stride * time_step);
     double in_layers = 0.0;
     for (const auto& [first, last] : find_layers(upright)) in_layers += static_cast<double>(last);

@@ -12,19 +12,19 @@ namespace musim::lsdem {
 
 /// Settings by which a specimen is prepared.
 struct PreparationSettings {
-    Placing placing = Placing::layers_mass_scaled;
+    BlockPlacing placing = BlockPlacing::layers_mass_scaled;
     Settling settling;
-    bool from_equilibrium = false;  ///< of Placing::as_drawn: settles from put_in_equilibrium, not from where nothing bears yet
-    /// Time step over that of a run, of Placing::layers_mass_scaled and resting: blocks that touch little are stable in it, the others get
-    /// inertia that makes them so (Inertia::as_stable) [-].
+    bool from_equilibrium = false;  ///< of BlockPlacing::as_drawn: settles from put_in_equilibrium, not from where nothing bears yet
+    /// Time step over that of a run, of BlockPlacing::layers_mass_scaled and resting: blocks that touch little are stable in it, the others
+    /// get inertia that makes them so (Inertia::as_stable) [-].
     double stride = 4.0;
     double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
     /// The next layer comes when every block below has less kinetic energy than this part of its weight times its height, a drop from as
     /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
     /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See docs/theory/preparation.md.
     double layer_rest = 1e-8;
-    double layer_patience = 2.5;    ///< of Placing::layers and layers_mass_scaled [-]
-    double resting_patience = 0.5;  ///< of Placing::resting [-]
+    double layer_patience = 2.5;    ///< of BlockPlacing::layers and layers_mass_scaled [-]
+    double resting_patience = 0.5;  ///< of BlockPlacing::resting [-]
     /// Number of times that the whole comes to rest: to `early_rest` while blocks may still tip, in the last round to the end, with the
     /// damping that suits sway.
     std::size_t whole_rounds = 2;

@@ -110,8 +110,8 @@ PreparationSettings find_preparation(const Scene& scene, const Specimen& upright
     const std::vector<Block>& blocks = upright.model.blocks;
     const Preparation wanted = scene.preparation.value_or(Preparation{});
     PreparationSettings preparation;
-    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? Placing::layers_mass_scaled : Placing::as_drawn);
-    preparation.from_equilibrium = preparation.placing == Placing::as_drawn;
+    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? BlockPlacing::layers_mass_scaled : BlockPlacing::as_drawn);
+    preparation.from_equilibrium = preparation.placing == BlockPlacing::as_drawn;
     if (preparation.from_equilibrium) preparation.whole_rounds = 1;
     const double chosen = choose_damping_rate(2.0 * upright.model.shapes[blocks.front().shape].half_extents, upright.model.gravity.norm());
     preparation.settling.damping_rate = wanted.damping_rate ? wanted.damping_rate->value() : chosen;
@@ -134,7 +134,7 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Ch
     } else {
         if (scene.preparation && scene.preparation->specimen) {
             take_places(*scene.preparation->specimen, specimen);
-            preparation.placing = Placing::as_drawn;
+            preparation.placing = BlockPlacing::as_drawn;
             preparation.from_equilibrium = false;
             preparation.whole_rounds = 1;
         }

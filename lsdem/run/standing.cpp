@@ -70,7 +70,7 @@ SceneStanding find_standing(const Scene& scene, const Specimen& upright) {
         standing.begins = Begins::from_specimen;
         return standing;
     }
-    if (wants_preparation(scene, upright) && find_preparation(scene, upright).placing != Placing::as_drawn) {
+    if (wants_preparation(scene, upright) && find_preparation(scene, upright).placing != BlockPlacing::as_drawn) {
         standing.begins = Begins::when_laid;
         return standing;
     }

@@ -241,7 +241,7 @@ void check(const SignalMotion& motion, const JsonPlace& place) {
 void check(const Preparation& preparation, const JsonPlace& place, const Scene& scene) {
     require(preparation.damping_rate, Range::positive, place.at("damping_rate"));
     const bool listed = std::holds_alternative<BlockList>(scene.structure);
-    if (listed && preparation.placing.value_or(Placing::as_drawn) != Placing::as_drawn)
+    if (listed && preparation.placing.value_or(BlockPlacing::as_drawn) != BlockPlacing::as_drawn)
         fail(place.at("placing"), "only columns, towers and walls have layers to be placed (these are single blocks); use \"as_drawn\"");
     if (listed && preparation.specimen)
         fail(place.at("specimen"), "only columns, towers and walls are made from specimens (these are single blocks); leave it out");

@@ -42,7 +42,7 @@ Preparation parse_preparation(const JsonReader& value, const std::filesystem::pa
     }
     const JsonReader object = to_object(value, "preparation");
     if (object.has("placing")) {
-        preparation.placing = static_cast<Placing>(to_choice(object["placing"], placing_names()));
+        preparation.placing = static_cast<BlockPlacing>(to_choice(object["placing"], placing_names()));
     }
     preparation.damping_rate = object.find<scaling::Frequency>("damping_rate");
     if (object.has("specimen")) preparation.specimen = detail::resolve(object.get<std::string>("specimen"), origin);

@@ -7,6 +7,6 @@ const std::vector<std::string>& placing_names() {
     return kNames;
 }
 
-std::string to_string(Placing placing) { return placing_names()[static_cast<std::size_t>(placing)]; }
+std::string to_string(BlockPlacing placing) { return placing_names()[static_cast<std::size_t>(placing)]; }
 
 }  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 namespace musim::lsdem {
 
 /// Way in which blocks come to their places before the motion begins.
-enum class Placing {
+enum class BlockPlacing {
     as_drawn,           ///< where the structure has them
     resting,            ///< each on the plane it rests on, see put_to_rest, with inertia added while they settle
     layers,             ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
@@ -19,8 +19,8 @@ enum class Placing {
 
 /// Preparation before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
 struct Preparation {
-    bool none = false;               ///< nothing: weight begins to act when the motion does, "preparation": "none"
-    std::optional<Placing> placing;  ///< default: layers_mass_scaled when blocks differ in height, else as drawn
+    bool none = false;                    ///< nothing: weight begins to act when the motion does, "preparation": "none"
+    std::optional<BlockPlacing> placing;  ///< default: layers_mass_scaled when blocks differ in height, else as drawn
     std::optional<scaling::Frequency>
         damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/run/settle.hpp
     std::optional<std::filesystem::path> specimen;  ///< absolute path of a prepared specimen, instead of placing
@@ -30,6 +30,6 @@ struct Preparation {
 
 /// "as_drawn", "resting", "layers", "layers_mass_scaled", in this order.
 const std::vector<std::string>& placing_names();
-std::string to_string(Placing placing);
+std::string to_string(BlockPlacing placing);
 
 }  // namespace musim::lsdem

@@ -67,13 +67,13 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
     const double step = compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
     struct Way {
-        Placing placing;
+        BlockPlacing placing;
         double added_patience;
     };
     // the last one gets its own inertia back before it is at rest
     const double patient = settings.added_patience;
-    for (const Way& way : {Way{Placing::layers_mass_scaled, patient}, Way{Placing::resting, patient}, Way{Placing::layers, patient},
-                           Way{Placing::layers_mass_scaled, 1e-2}}) {
+    for (const Way& way : {Way{BlockPlacing::layers_mass_scaled, patient}, Way{BlockPlacing::resting, patient},
+                           Way{BlockPlacing::layers, patient}, Way{BlockPlacing::layers_mass_scaled, 1e-2}}) {
         settings.placing = way.placing;
         settings.added_patience = way.added_patience;
         int looks = 0;

@@ -60,11 +60,11 @@ TEST_CASE("layer by layer or quickly or by resting planes the same blocks come t
     const Specimen upright = make_upright_specimen(scene);
     const double step = lsdem::compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
-    REQUIRE(settings.placing == lsdem::Placing::layers_mass_scaled);
+    REQUIRE(settings.placing == lsdem::BlockPlacing::layers_mass_scaled);
     const PreparedSpecimen quick = prepare(upright, step, settings);
-    settings.placing = lsdem::Placing::resting;
+    settings.placing = lsdem::BlockPlacing::resting;
     const PreparedSpecimen resting = prepare(upright, step, settings);
-    settings.placing = lsdem::Placing::layers;
+    settings.placing = lsdem::BlockPlacing::layers;
     const PreparedSpecimen layers = prepare(upright, step, settings);
     REQUIRE(quick.rest.at_rest);
     REQUIRE(resting.rest.at_rest);
@@ -111,7 +111,7 @@ TEST_CASE("what has no time to come to rest with inertia added does so with its 
 TEST_CASE("blocks laid under a damping far above their frequency parameter come to rest" * doctest::test_suite("slow")) {
     lsdem::Scene scene = make_wall_scene();
     scene.preparation.emplace();
-    scene.preparation->placing = lsdem::Placing::layers;
+    scene.preparation->placing = lsdem::BlockPlacing::layers;
     scene.preparation->damping_rate = musim::scaling::Frequency::from_value(192.0);
     const Specimen upright = make_upright_specimen(scene);
     const double step = lsdem::compute_time_step(scene, upright.model).value();
@@ -152,12 +152,13 @@ TEST_CASE("specimens of layers with scaled mass are those of layer by layer in t
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         std::get<lsdem::Tower>(scene.structure).seed = seed;
         const Specimen upright = make_upright_specimen(scene);
-        const auto prepare_by = [&](lsdem::Placing placing) {
+        const auto prepare_by = [&](lsdem::BlockPlacing placing) {
             PreparationSettings settings = find_preparation(scene, upright);
             settings.placing = placing;
             return prepare(upright, lsdem::compute_time_step(scene, upright.model).value(), settings);
         };
-        const PreparedSpecimen quick = prepare_by(lsdem::Placing::layers_mass_scaled), layers = prepare_by(lsdem::Placing::layers);
+        const PreparedSpecimen quick = prepare_by(lsdem::BlockPlacing::layers_mass_scaled),
+                               layers = prepare_by(lsdem::BlockPlacing::layers);
         REQUIRE(quick.rest.at_rest);
         REQUIRE(layers.rest.at_rest);
         quick_cost += quick.block_steps, cost += layers.block_steps;
@@ -350,7 +351,7 @@ TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and
 TEST_CASE("a preparation that a scene asks for is read, written, scaled and checked") {
     const lsdem::Scene scene = make_wall_scene(3, R"(, "preparation": {"placing": "layers", "damping_rate": "30 Hz"})");
     REQUIRE(scene.preparation.has_value());
-    CHECK(scene.preparation->placing == lsdem::Placing::layers);
+    CHECK(scene.preparation->placing == lsdem::BlockPlacing::layers);
     CHECK(lsdem::parse_scene(lsdem::write_scene(scene)) == scene);
     const auto twin = lsdem::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     CHECK(twin.preparation->damping_rate->value() == 120.0);
