@@ -9,8 +9,7 @@
 #include <variant>
 
 #include "lsdem/scene/block_heights.hpp"
-#include "lsdem/scene/detail/json_text.hpp"
-#include "lsdem/scene/detail/scene_fields.hpp"
+#include "lsdem/scene/detail/require.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_key.hpp"
 #include "scaling/laws/law_similitude.hpp"
@@ -22,60 +21,12 @@ namespace musim::lsdem {
 
 namespace {
 
+using detail::describe;
 using detail::fail;
 using detail::JsonPlace;
 using detail::Range;
-
-/// Largest number of layers, nodes, ...: keeps mistaken input from exhausting the memory.
-constexpr int kLargestCount = 1'000'000;
-
-double to_si(double value) { return value; }
-
-template <class Quantity>
-double to_si(Quantity quantity) {
-    return quantity.value();
-}
-
-std::string describe(double value) { return fmt::format("{:.6g}", value); }
-
-template <class Quantity>
-std::string describe(Quantity value) {
-    return std::isfinite(value.value()) ? scaling::format_quantity(value) : describe(value.value());
-}
-
-/// Check of the numbers and quantities of a scene.
-template <class Value>
-void require(const Value& value, Range range, const JsonPlace& place) {
-    if constexpr (std::is_same_v<Value, int>) {
-        const int least = range == Range::four_or_more ? 4 : 1;
-        if (range != Range::any && (value < least || value > kLargestCount)) {
-            fail(place, fmt::format("{} (must be from {} to {}); correct the number", value, least, kLargestCount));
-        }
-    } else if constexpr (std::is_same_v<Value, double> || scaling::QuantityWithUnit<Value>) {
-        const double number = to_si(value);
-        const bool fits =
-            std::isfinite(number) && (range == Range::finite || number > 0.0 || (range == Range::not_negative && number == 0.0));
-        if (range == Range::any || fits) return;
-        const char* wanted = range == Range::finite ? "be finite" : range == Range::positive ? "be positive" : "not be negative";
-        fail(place, fmt::format("{} (must {}); correct the value", describe(value), wanted));
-    }
-}
-
-template <class Quantity>
-void require(const Triple<Quantity>& triple, Range range, const JsonPlace& place) {
-    for (std::size_t k = 0; k < 3; ++k) require(triple[k], range, place.at(k));
-}
-
-template <class Value>
-void require(const std::optional<Value>& value, Range range, const JsonPlace& place) {
-    if (value) require(*value, range, place);
-}
-
-/// Each field of a part for itself.
-template <class Part>
-void require_fields(const Part& part, const JsonPlace& place) {
-    detail::for_each_field(part, [&](const auto& field, const auto& value) { require(value, field.range, place.at(field.key)); });
-}
+using detail::require;
+using detail::require_fields;
 
 void check_restitution(double restitution, const JsonPlace& place) {
     if (restitution > 0.0 && restitution <= 1.0) return;
@@ -127,13 +78,9 @@ void check_pairs(const Scene& scene, const JsonPlace& place) {
 }
 
 void check(const BlockEntry& block, const JsonPlace& place, const Scene& scene) {
-    if (!std::holds_alternative<SphereShape>(scene.shape)) require(block.size, Range::positive, place.at("size"));
+    if (block.shape.empty() && !std::holds_alternative<SphereShape>(scene.shape)) require(block.size, Range::positive, place.at("size"));
     require_fields(block, place);
-    const auto& [w, x, y, z] = block.quaternion;
-    const double norm_squared = w * w + x * x + y * y + z * z;
-    if (!(norm_squared > 0.0) || !std::isfinite(norm_squared)) {
-        fail(place.at("quaternion"), "no rotation (all four numbers are zero, or one is not finite); write [1, 0, 0, 0] for none");
-    }
+    detail::require_rotation(block.quaternion, place.at("quaternion"));
     if (!block.material.empty() && !scene.materials.contains(block.material)) {
         fail(place.at("material"), fmt::format("\"{}\" is not among the scene's materials; add it under /materials", block.material));
     }
@@ -287,7 +234,22 @@ scaling::Length default_pitch(const Triple<scaling::Length>& block) {
     return block[1] * kPitchOverWidth;
 }
 
-bool Scene::has_contact_nodes() const { return face_contact != FaceContact::overlap || !std::holds_alternative<BoxShape>(shape); }
+const ShapeEntry* Scene::find_shape(const BlockEntry& block) const {
+    const auto found = shapes.find(block.shape);
+    return found == shapes.end() ? nullptr : &found->second;
+}
+
+bool Scene::is_sphere(const BlockEntry& block) const {
+    const ShapeEntry* named = find_shape(block);
+    return named != nullptr ? named->is_sphere() : std::holds_alternative<SphereShape>(shape);
+}
+
+bool Scene::has_contact_nodes() const {
+    const auto* list = std::get_if<BlockList>(&structure);
+    const bool has_spheres =
+        list != nullptr && std::any_of(list->blocks.begin(), list->blocks.end(), [&](const BlockEntry& block) { return is_sphere(block); });
+    return face_contact != FaceContact::overlap || !std::holds_alternative<BoxShape>(shape) || has_spheres;
+}
 
 scaling::Similitude make_similitude(const RecordScale& scale) {
     std::vector<scaling::GivenFactor> given;
@@ -303,6 +265,8 @@ void check_scene(const Scene& scene, const std::string& origin) {
         fail(root.at("shape").at("kind"),
              "spheres cannot be stacked as a column, tower or wall; use \"box\", or a structure of kind \"blocks\"");
     }
+    detail::check_shapes(scene, root);
+    detail::check_kinds(scene, root);
     std::visit([&](const auto& structure) { check(structure, root.at("structure"), scene); }, scene.structure);
     check(scene.material, root.at("material"));
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lsdem/scene/detail/require.hpp"
 #include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/detail/unlikely_values.hpp"
 #include "lsdem/scene/reference_block.hpp"
@@ -186,8 +187,10 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     read_gravity(object, scene.gravity);
     object["material"];  // missing keys are named in the order of the schema, though a material is read after its structure
     if (object.has("shape")) scene.shape = detail::parse_shape(object["shape"]);
+    if (object.has("shapes")) scene.shapes = detail::parse_shapes(object["shapes"], origin);
     const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
     scene.structure = detail::parse_structure(object["structure"], origin, needs_size);
+    detail::check_shapes(scene, detail::JsonPlace{object.place()});  // materials refer to the first block's base
     read_materials(object, scene);
     if (object.has("base_motion")) scene.base_motion = detail::parse_base_motion(object["base_motion"], origin);
     if (object.has("motions")) scene.motions = detail::parse_motions(object["motions"], origin);

@@ -18,9 +18,13 @@ class Scaler {
     void scale(Value& value) const {
         if constexpr (scaling::QuantityWithUnit<Value>) value = similitude_.to_model(value);
     }
-    template <class Quantity>
-    void scale(Triple<Quantity>& triple) const {
-        for (Quantity& quantity : triple) scale(quantity);
+    template <class Value, std::size_t Count>
+    void scale(std::array<Value, Count>& values) const {
+        for (Value& value : values) scale(value);
+    }
+    template <class Value>
+    void scale(std::vector<Value>& values) const {
+        for (Value& value : values) scale(value);
     }
     template <class Value>
     void scale(std::optional<Value>& value) const {
@@ -45,6 +49,18 @@ class Scaler {
             scale_part(block);
         }
     }
+    /// Coordinates of a file stay what they are, so that what multiplies them takes the factor.
+    void scale_part(ShapeEntry& shape) const {
+        const auto* compound = std::get_if<CompoundForm>(&shape.form);
+        if (std::holds_alternative<MeshForm>(shape.form) || (compound != nullptr && compound->file)) {
+            for (double& factor : shape.scale) factor *= similitude_.length();
+        }
+        std::visit([&](auto& form) { scale_part(form); }, shape.form);
+        scale_part<ShapeEntry>(shape);
+    }
+    void scale_part(CompoundForm& compound) const {
+        for (CompoundPart& part : compound.parts) scale_part(part);
+    }
     void scale(SceneMotion& motion) const {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
         motion.factors.time *= similitude_.time();
@@ -66,6 +82,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     for (auto& [name, material] : scaled.materials) scaler.scale_part(material);
     for (PairEntry& pair : scaled.pairs) scaler.scale_part(pair);
     std::visit([&](auto& shape) { scaler.scale_part(shape); }, scaled.shape);
+    for (auto& [name, shape] : scaled.shapes) scaler.scale_part(shape);
     std::visit([&](auto& structure) { scaler.scale_part(structure); }, scaled.structure);
     scaler.scale(scaled.base_motion);
     for (MotionEntry& entry : scaled.motions) {

@@ -14,6 +14,7 @@
 #include "lsdem/scene/accuracy_presets.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/preparation.hpp"
+#include "lsdem/scene/shape_entry.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/formats/column_choice.hpp"
 #include "records/processing/processing.hpp"
@@ -39,27 +40,21 @@ struct GridShape {
     bool operator==(const GridShape&) const = default;
 };
 
-/// Spheres as grid level sets; for structures of kind "blocks", whose entries then need no size.
-struct SphereShape {
-    scaling::Length radius{};
-    int nodes = 440;          ///< over the whole surface
-    scaling::Length voxel{};  ///< spacing of the grid
-
-    bool operator==(const SphereShape&) const = default;
-};
-
+/// Of blocks that name no shape. Spheres are for structures of kind "blocks", whose entries then need no size.
 using ShapeSettings = std::variant<BoxShape, GridShape, SphereShape>;
 
 /// One block of an explicit list.
 struct BlockEntry {
-    Triple<scaling::Length> size{};                        ///< edge lengths in the body frame; unused for spheres
-    Triple<scaling::Length> position{};                    ///< centre of mass, world frame
-    std::array<double, 4> quaternion{1.0, 0.0, 0.0, 0.0};  ///< (w, x, y, z), body to world; any length but 0
-    Triple<scaling::Velocity> velocity{};                  ///< world frame
+    Triple<scaling::Length> size{};                        ///< edge lengths in the body frame; unused for spheres and named shapes
+    std::string shape;                                     ///< key of Scene::shapes; empty: Scene::shape
+    Triple<scaling::Length> position{};                    ///< of the frame in which its shape is drawn, the middle of a box; world frame
+    std::array<double, 4> quaternion{1.0, 0.0, 0.0, 0.0};  ///< (w, x, y, z), that frame to world; any length but 0
+    Triple<scaling::Velocity> velocity{};                  ///< of the centre of mass, world frame
     Triple<scaling::Frequency> angular_velocity{};         ///< world frame [rad/s]
     bool fixed = false;                                    ///< held in place
     bool rotation_locked = false;                          ///< translates only
     std::string material;                                  ///< key of Scene::materials; empty: Scene::material
+    std::optional<scaling::Density> density;               ///< default: that of the material
     std::string name;                                      ///< in results and messages; empty: its number, counted from 0
 
     bool operator==(const BlockEntry&) const = default;
@@ -285,6 +280,7 @@ struct Scene {
     std::map<std::string, BlockMaterial> materials;  ///< further ones, for entries of a BlockList
     std::vector<PairEntry> pairs;                    ///< of materials that meet in a way of their own
     ShapeSettings shape;
+    std::map<std::string, ShapeEntry> shapes;  ///< for entries of a BlockList that name one
     Structure structure;
     SceneMotion base_motion;
     std::vector<MotionEntry> motions;  ///< instead of base_motion: one after another, see motions.hpp
@@ -301,6 +297,10 @@ struct Scene {
     std::string place() const { return text.origin.empty() ? "scene \"" + name + "\"" : text.origin; }
     /// Is there a contact by surface nodes: of spheres, grids, or boxes that ask for it?
     bool has_contact_nodes() const;
+    /// The shape that a block names; none where it is a box, or a sphere, of Scene::shape.
+    const ShapeEntry* find_shape(const BlockEntry& block) const;
+    /// Is a block of the list a sphere?
+    bool is_sphere(const BlockEntry& block) const;
     bool operator==(const Scene&) const = default;
 };
 

@@ -43,6 +43,7 @@ class SceneWriter {
                           {"material", write_part(scene.material)},
                           {"materials", materials},
                           {"shape", to_json(scene.shape, scene.has_contact_nodes())},
+                          {"shapes", to_json(scene.shapes)},
                           {"structure", to_json(scene.structure, with_size)},
                           {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
                           {"ground", write_part(scene.ground)},
@@ -51,6 +52,7 @@ class SceneWriter {
                             {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
                           {"time", to_json(scene.time, !scene.motions.empty())},
                           {"output", write_part(scene.output)}};
+        if (scene.shapes.empty()) root.erase("shapes");
         if (scene.preparation && scene.preparation->none) {
             root["preparation"] = "none";
         } else if (scene.preparation) {
@@ -78,6 +80,20 @@ class SceneWriter {
     template <class Quantity>
     ordered_json write(const Triple<Quantity>& triple) const {
         return {write(triple[0]), write(triple[1]), write(triple[2])};
+    }
+    template <class Value>
+    ordered_json write(const std::vector<Value>& list) const {
+        ordered_json values = ordered_json::array();
+        for (const Value& value : list) values.push_back(write(value));
+        return values;
+    }
+    ordered_json write(const std::array<scaling::Length, 2>& corner) const { return {write(corner[0]), write(corner[1])}; }
+    ordered_json write(const std::array<Triple<scaling::Inertia>, 3>& tensor) const {
+        return {write(tensor[0]), write(tensor[1]), write(tensor[2])};
+    }
+    ordered_json write(ShapeAxis axis) const { return detail::kShapeAxes.at(static_cast<std::size_t>(axis)); }
+    ordered_json write(const MeshPart& part) const {
+        return std::visit([](const auto& which) -> ordered_json { return which; }, part);
     }
     ordered_json write(const TilingSettings& tiling) const { return write_part(tiling); }
     ordered_json write(records::SampleQuantity quantity) const { return records::to_string(quantity); }
@@ -126,9 +142,41 @@ class SceneWriter {
         return std::visit([&](const auto& settings) { return write_part(settings, object); }, shape);
     }
 
+    /// What a form has besides its fields.
+    template <class Form>
+    void put_more(ordered_json& object, const Form& form) const {
+        if constexpr (std::is_same_v<Form, MeshForm>) object["file"] = form.file.string();
+        if constexpr (std::is_same_v<Form, CompoundForm>) {
+            if (form.file) object["file"] = form.file->string();
+            for (const CompoundPart& part : form.parts) object["parts"].push_back(write_part(part));
+        }
+    }
+
+    /// Without what it leaves as it is drawn.
+    ordered_json to_json(const ShapeEntry& shape) const {
+        ordered_json object{{"kind", detail::kShapeKinds.at(shape.form.index())}};
+        std::visit([&](const auto& form) { put_more(object, form), object = write_part(form, object); }, shape.form);
+        if (shape.is_sphere()) return object;
+        ordered_json more = write_part(shape);
+        const ShapeEntry plain;
+        if (shape.scale == plain.scale) more.erase("scale");
+        if (shape.quaternion == plain.quaternion) more.erase("quaternion");
+        object.update(more);
+        return object;
+    }
+    ordered_json to_json(const std::map<std::string, ShapeEntry>& shapes) const {
+        ordered_json object = ordered_json::object();
+        for (const auto& [name, shape] : shapes) object[name] = to_json(shape);
+        return object;
+    }
+
     ordered_json to_json(const BlockEntry& block, bool with_size) const {
         ordered_json object = ordered_json::object();
-        if (with_size) object["size"] = write(block.size);
+        if (!block.shape.empty()) {
+            object["shape"] = block.shape;
+        } else if (with_size) {
+            object["size"] = write(block.size);
+        }
         object = write_part(block, object);
         if (!block.material.empty()) object["material"] = block.material;
         if (!block.name.empty()) object["name"] = block.name;

@@ -51,7 +51,11 @@ void read_per_area(const JsonReader& object, const std::string& key, const Stiff
 BlockEntry parse_block(const JsonReader& value, bool needs_size) {
     const JsonReader object = to_object(value, "block");
     BlockEntry block;
-    if (needs_size || object.has("size")) block.size = object.get<Triple<scaling::Length>>("size");
+    object.read("shape", block.shape);
+    if (!block.shape.empty() && object.has("size")) {
+        object["size"].fail("the block names a \"shape\", which has its size; leave one of the two out");
+    }
+    if ((needs_size && block.shape.empty()) || object.has("size")) block.size = object.get<Triple<scaling::Length>>("size");
     read_fields(object, block);
     object.read("material", block.material);
     object.read("name", block.name);

@@ -13,8 +13,8 @@
 /// the functions that do these.
 namespace musim::lsdem::detail {
 
-/// Range that a value has to be in; the last two are of whole numbers.
-enum class Range { any, finite, positive, not_negative, one_or_more, four_or_more };
+/// Range that a value has to be in; the last three are of whole numbers.
+enum class Range { any, finite, positive, not_negative, one_or_more, three_or_more, four_or_more };
 
 /// A member, its key in JSON, and what its value has to be. One that is not required keeps its default where the key is missing; an
 /// optional without a value is not written.
@@ -65,7 +65,50 @@ inline constexpr auto kFields<SphereShape> = std::tuple{
     Field{"nodes", &SphereShape::nodes, Range::one_or_more},
     Field{"voxel", &SphereShape::voxel, Range::positive, kRequired},
 };
-/// Between the size, which spheres do not have, and material and name.
+template <>
+inline constexpr auto kFields<BoxForm> = std::tuple{Field{"size", &BoxForm::size, Range::positive, kRequired}};
+template <>
+inline constexpr auto kFields<PrismForm> = std::tuple{
+    Field{"outline", &PrismForm::outline, Range::finite, kRequired},
+    Field{"axis", &PrismForm::axis},
+    Field{"length", &PrismForm::length, Range::positive, kRequired},
+    Field{"taper", &PrismForm::taper, Range::positive},
+};
+template <>
+inline constexpr auto kFields<CylinderForm> = std::tuple{
+    Field{"radius", &CylinderForm::radius, Range::positive, kRequired},
+    Field{"height", &CylinderForm::height, Range::positive, kRequired},
+    Field{"flats", &CylinderForm::flats, Range::three_or_more},
+    Field{"top_radius", &CylinderForm::top_radius, Range::positive},
+};
+template <>
+inline constexpr auto kFields<PolyhedronForm> = std::tuple{
+    Field{"vertices", &PolyhedronForm::vertices, Range::finite, kRequired},
+    Field{"faces", &PolyhedronForm::faces},
+};
+/// Behind the file.
+template <>
+inline constexpr auto kFields<MeshForm> = std::tuple{
+    Field{"unit", &MeshForm::unit, Range::any, kRequired},
+    Field{"part", &MeshForm::part},
+};
+template <>
+inline constexpr auto kFields<CompoundPart> = std::tuple{
+    Field{"shape", &CompoundPart::shape, Range::any, kRequired},
+    Field{"position", &CompoundPart::position, Range::finite},
+    Field{"quaternion", &CompoundPart::quaternion},
+};
+/// Behind the parts, or the file.
+template <>
+inline constexpr auto kFields<CompoundForm> = std::tuple{Field{"unit", &CompoundForm::unit}};
+/// Behind those of its form; spheres have none of these.
+template <>
+inline constexpr auto kFields<ShapeEntry> = std::tuple{
+    Field{"scale", &ShapeEntry::scale, Range::positive}, Field{"mirror", &ShapeEntry::mirror},
+    Field{"quaternion", &ShapeEntry::quaternion},        Field{"mass", &ShapeEntry::mass, Range::positive},
+    Field{"centre", &ShapeEntry::centre, Range::finite}, Field{"inertia", &ShapeEntry::inertia, Range::finite},
+};
+/// Between the size or the shape, and material and name.
 template <>
 inline constexpr auto kFields<BlockEntry> = std::tuple{
     Field{"position", &BlockEntry::position, Range::finite, kRequired},
@@ -74,6 +117,7 @@ inline constexpr auto kFields<BlockEntry> = std::tuple{
     Field{"angular_velocity", &BlockEntry::angular_velocity, Range::finite},
     Field{"fixed", &BlockEntry::fixed},
     Field{"rotation_locked", &BlockEntry::rotation_locked},
+    Field{"density", &BlockEntry::density, Range::positive},
 };
 template <>
 inline constexpr auto kFields<Column> = std::tuple{
@@ -184,6 +228,8 @@ void for_each_field(Part& part, const Visit& visit) {
 
 /// Names of variants in JSON, in their order.
 inline constexpr std::array kStructureKinds{"blocks", "column", "tower", "wall"};
+inline constexpr std::array kShapeKinds{"box", "prism", "cylinder", "polyhedron", "mesh", "compound", "sphere"};
+inline constexpr std::array kShapeAxes{"x", "y", "z"};
 inline constexpr std::array kSignalKinds{"step", "sine", "half_sine", "ricker", "synthetic"};
 
 /// The alternative of a variant at a position, with its defaults.

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lsdem/scene/detail/json_text.hpp"
@@ -24,7 +27,9 @@ BlockMaterial parse_material(const scaling::JsonReader& value, const StiffnessBa
 std::vector<PairEntry> parse_pairs(const scaling::JsonReader& list, const StiffnessBase& base);
 /// "shape".
 ShapeSettings parse_shape(const scaling::JsonReader& value);
-/// "structure". `needs_size`: blocks say their size, as all but spheres do.
+/// "shapes", by name.
+std::map<std::string, ShapeEntry> parse_shapes(const scaling::JsonReader& value, const std::filesystem::path& origin);
+/// "structure". `needs_size`: blocks that name no shape say their size, as all but spheres do.
 Structure parse_structure(const scaling::JsonReader& value, const std::filesystem::path& origin, bool needs_size);
 /// "base_motion".
 SceneMotion parse_base_motion(const scaling::JsonReader& value, const std::filesystem::path& origin);
@@ -41,6 +46,14 @@ void read_value(const scaling::JsonReader& json, records::SampleQuantity& quanti
 void read_value(const scaling::JsonReader& json, records::ColumnChoices& columns);
 void read_value(const scaling::JsonReader& json, records::AtRest& at_rest);
 void read_value(const scaling::JsonReader& json, std::array<scaling::Time, 2>& window);
+void read_value(const scaling::JsonReader& json, ShapeAxis& axis);
+/// Three factors, or one for all.
+void read_value(const scaling::JsonReader& json, std::array<double, 3>& scale);
+void read_value(const scaling::JsonReader& json, MeshPart& part);
+void read_value(const scaling::JsonReader& json, std::vector<std::array<scaling::Length, 2>>& outline);
+void read_value(const scaling::JsonReader& json, std::vector<Triple<scaling::Length>>& points);
+void read_value(const scaling::JsonReader& json, std::vector<std::vector<std::uint32_t>>& faces);
+void read_value(const scaling::JsonReader& json, std::array<Triple<scaling::Inertia>, 3>& tensor);
 template <class Value>
 void read_value(const scaling::JsonReader& json, std::optional<Value>& value) {
     read_value(json, value.emplace());
