@@ -43,7 +43,7 @@ Moments integrate(const Polyhedron& piece) {
 /// Products below this part of the trace count as none [-].
 constexpr double kNoProduct = 1e-12;
 
-/// What is within this part of equal is equal, so that rounding chooses no axes [-].
+/// Numbers within this part of one another are equal, so that rounding chooses no axes [-].
 constexpr double kTie = 1e-9;
 
 /// Turns the axes p and q of a symmetric tensor by at most 45°, to the angle at which its product is zero.

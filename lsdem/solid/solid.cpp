@@ -7,19 +7,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lsdem/solid/detail/exact_sum.hpp"
+
 namespace musim::lsdem {
 namespace {
 
-/// The plane of a loop of corners: its normal by the sum of cross products about its first corner, its offset through their mean.
+/// The plane of a loop of corners: its normal by Newell's sum, its offset through their mean.
 Plane find_plane(const std::vector<Vector3>& corners, std::span<const std::uint32_t> loop) {
+    const Vector3 normal = detail::sum_cross_products(corners, loop).normalized();
     const Vector3& origin = corners[loop.front()];
-    Vector3 normal = Vector3::Zero(), mean = Vector3::Zero();
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vector3 here = corners[loop[i]] - origin, next = corners[loop[(i + 1) % loop.size()]] - origin;
-        normal += here.cross(next);
-        mean += here / static_cast<double>(loop.size());
-    }
-    normal.normalize();
+    Vector3 mean = Vector3::Zero();
+    for (const std::uint32_t c : loop) mean += (corners[c] - origin) / static_cast<double>(loop.size());
     return {normal, normal.dot(origin) + normal.dot(mean)};
 }
 
@@ -63,6 +61,9 @@ Plane moved(const Plane& plane, const Placing& placing) {
 
 /// The image of a plane when coordinates are multiplied.
 Plane stretched(const Plane& plane, const Vector3& factors) {
+    const Vector3 magnitude = factors.cwiseAbs();
+    if (magnitude == Vector3::Constant(magnitude.x()))
+        return {plane.normal.cwiseProduct(factors.cwiseSign()), magnitude.x() * plane.offset};
     const Vector3 normal = plane.normal.cwiseQuotient(factors);
     const double length = normal.norm();
     return {normal / length, plane.offset / length};

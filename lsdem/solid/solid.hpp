@@ -58,7 +58,7 @@ struct Placing {
     Vector3 position = Vector3::Zero();      ///< of the origin of its frame [m]
 
     Vector3 operator*(const Vector3& x) const { return rotation * x + position; }
-    /// Of a solid placed by `other` in the frame that this one places.
+    /// The placing of a solid that `other` places in the frame that this one places.
     Placing operator*(const Placing& other) const { return {rotation * other.rotation, rotation * other.position + position}; }
     Placing inverse() const { return {rotation.transpose(), -(rotation.transpose() * position)}; }
 };
@@ -66,7 +66,7 @@ struct Placing {
 /// The corner of a solid that lies farthest along a direction, in its frame [m].
 Vector3 find_support(const Solid& solid, const Vector3& direction);
 
-/// How far a solid reaches from the origin of its frame along a direction of unit length [m].
+/// Reach of a solid from the origin of its frame along a direction of unit length [m].
 inline double find_reach(const Solid& solid, const Vector3& direction) { return direction.dot(find_support(solid, direction)); }
 
 /// A box along the axes of a frame.
@@ -83,7 +83,7 @@ Bounds find_bounds(const Solid& solid, const Placing& placing = {});
 bool contains(const Solid& solid, const Vector3& x);
 
 /// A polyhedron of the given corners [m] whose faces are given by their corners, counter-clockwise seen from outside: normals by Newell's
-/// sum about a corner, neighbours, `wholes` of a convex solid. Faces in one plane must be one. Throws std::invalid_argument when an edge
+/// sum without rounding, neighbours, `wholes` of a convex solid. Faces in one plane must be one. Throws std::invalid_argument when an edge
 /// does not belong to two faces in opposite directions.
 Polyhedron make_polyhedron(std::vector<Vector3> corners, const std::vector<std::vector<std::uint32_t>>& faces);
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lsdem/solid/detail/hull_triangles.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem::detail {
+
+/// Joins triangles of a convex hull that lie in one plane to `tolerance` into faces, each a loop of corners, counter-clockwise seen from
+/// outside. Corners with fewer than three faces drop out. Every edge is in two faces, whatever the rounding: where joined triangles enclose
+/// others, or a face keeps fewer than three corners or is dented by more than the tolerance, it is joined with the faces there.
+std::vector<std::vector<std::uint32_t>> join_hull_triangles(std::span<const Vector3> points, std::span<const HullTriangle> triangles,
+                                                            double tolerance);
+
+}  // namespace musim::lsdem::detail
