@@ -11,6 +11,7 @@ Bodies::Bodies(const Model& model) {
     orientation.resize(n);
     mass.resize(n);
     inverse_mass.resize(n);
+    solid.resize(n);
     fixed.resize(n);
     free.resize(n);
     preparation_loss.resize(n);
@@ -26,6 +27,7 @@ Bodies::Bodies(const Model& model) {
         inverse_mass[i] = 1.0 / block.mass;
         pose[i].half = half_extents(model, block);
         pose[i].height_offset = block.height_offset;
+        solid[i] = model.shapes[block.shape].solid.get();
         fixed[i] = block.fixed ? 1 : 0;
         free[i] = block.fixed ? 0.0 : 1.0;
         if (block.fixed) continue;

@@ -13,7 +13,8 @@ namespace musim::lsdem {
 /// Stands for the ground in place of a block.
 inline constexpr std::uint32_t kGround = std::numeric_limits<std::uint32_t>::max();
 
-/// State of all blocks, world frame: what contacts read together in one array, other quantities in one each. Positions belong to the
+/// State of all blocks, world frame: what contacts read together in one array, other quantities in one each; refers to the model's solids,
+/// which it must not outlive. Positions belong to the
 /// current step n, momenta to n − 1/2 (leapfrog).
 struct Bodies {
     std::vector<BodyPose> pose;                 ///< at step n
@@ -24,6 +25,7 @@ struct Bodies {
     std::vector<Vector3> inverse_inertia;       ///< of the principal axes [1/(kg·m²)]; zero when rotation is locked
     std::vector<Vector3> start_position;        ///< where energy of position and falls are counted from [m]
     std::vector<Quaternion> start_orientation;  ///< body to world
+    std::vector<const Solid*> solid;            ///< of the model, in the body frame; nothing: a box, or round
     std::vector<std::uint8_t> fixed;
     /// Factor of all accelerations: one, zero for a fixed block; in between, a block has inertia added, see detail::MassScaling.
     std::vector<double> free;
@@ -41,6 +43,16 @@ struct Bodies {
     Vector3 previous_position(std::size_t i) const { return pose[i].position - pose[i].step.shift; }  ///< at step n − 1 [m]
     /// There.
     Matrix3 previous_rotation(std::size_t i) const { return pose[i].step.turn.conjugate().toRotationMatrix() * pose[i].rotation; }
+
+    /// How far block i reaches from its centre along a direction of unit length, world axes [m].
+    double find_reach(std::size_t i, const Vector3& direction) const {
+        const Vector3 along = pose[i].rotation.transpose() * direction;
+        return solid[i] == nullptr ? along.cwiseAbs().dot(pose[i].half) : lsdem::find_reach(*solid[i], along);
+    }
+    /// How far it reaches below its centre [m].
+    double find_reach_down(std::size_t i) const {
+        return solid[i] == nullptr ? pose[i].rotation.row(2).cwiseAbs().dot(pose[i].half) : find_reach(i, -Vector3::UnitZ());
+    }
 
     /// Lets go of fixed block i: it takes pose, velocity and inertia from its entry in `model`, without spin.
     void release(std::size_t i, const Model& model);

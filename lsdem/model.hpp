@@ -125,6 +125,7 @@ struct Model {
 /// Does a block meet the ground, and others of its kind, by their overlap?
 inline bool meets_by_overlap(const Model& model, const Block& block) {
     const Shape& shape = model.shapes[block.shape];
+    if (shape.solid != nullptr) return true;
     return model.numerics.face_contact == FaceContact::overlap && shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
 }
 

@@ -26,9 +26,18 @@ static void exchange(Archive& archive, SurfaceNodes& n) {
     archive(n.x, n.y, n.z, n.area_x, n.area_y, n.area_z, n.center_x, n.center_y, n.center_z, n.half_x, n.half_y, n.half_z);
 }
 
+static void exchange(Archive& archive, Plane& p) { archive(p.normal, p.offset); }
+
+static void exchange(Archive& archive, Polyhedron::Face& f) { archive(f.plane, f.first, f.count, f.outer); }
+
+static void exchange(Archive& archive, Polyhedron& p) { archive(p.corners, p.faces, p.loops, p.neighbours, p.wholes); }
+
 static void exchange(Archive& archive, Shape& s) {
     exchange(archive, s.level_set);
     archive(s.nodes, s.faceted, s.node_spacing, s.half_extents, s.volume, s.inertia_over_mass, s.face_area);
+    if (s.solid == nullptr) return;
+    Solid solid = *s.solid;
+    archive(solid.pieces);
 }
 
 static void exchange(Archive& archive, Material& m) {

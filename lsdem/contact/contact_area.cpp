@@ -1,8 +1,10 @@
 #include "lsdem/contact/contact_area.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/detail/wide.hpp"
@@ -100,11 +102,12 @@ ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about)
 
 PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& dashpot, double stiffness) {
     std::array<Moments, 2> half;
+    thread_local std::vector<double> pull;  // room
+    pull.resize(std::max(pull.size(), pieces.most_vertices()));
     for (const OverlapPieces::Piece& piece : pieces) {
         const double share = 0.5 * share_of(piece);
         if (!(share > 0.0)) continue;
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-        std::array<double, OverlapPieces::kMostCorners> pull;
         bool pulls = false;
         for (std::size_t i = 0; i < piece.count; ++i) {
             pull[i] = -(dashpot.at + dashpot.slope.dot(v[i].place - dashpot.about)) - stiffness * v[i].depth;
@@ -178,12 +181,13 @@ double find_least_reach(const OverlapPieces& pieces, const Vector3& normal, doub
 
 double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vector3& about) {
     std::array<double, 2> distance{}, load{};
+    thread_local std::vector<Vector3> place;  // room
+    thread_local std::vector<double> depth;
+    place.resize(std::max(place.size(), pieces.most_vertices())), depth.resize(place.size());
     for (const OverlapPieces::Piece& piece : pieces) {
         const Sight sight(piece, normal);
         if (!(sight.share > 0.0)) continue;
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-        std::array<Vector3, OverlapPieces::kMostCorners> place;
-        std::array<double, OverlapPieces::kMostCorners> depth;
         for (std::size_t i = 0; i < piece.count; ++i) {
             const Vector3 x = v[i].place - about;
             place[i] = x - normal.dot(x) * normal;

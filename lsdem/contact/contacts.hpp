@@ -55,6 +55,7 @@ struct ContactPair {
     std::uint32_t first_node = 0;  ///< into ContactList::nodes and history
     std::uint32_t node_count = 0;
     std::uint32_t overlap = kNone;  ///< into ContactList::overlaps, when the pair meets by its overlap
+    bool is_exact = false;          ///< one of both is no box: the exact function alone knows their overlap
     /// Body axes of both along which faces met, or were to meet, when the pair was listed; 3 for no face on a face. Of the ground none.
     std::uint8_t leader_axis = 3, follower_axis = 3;
     Interface law;

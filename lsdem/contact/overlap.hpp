@@ -3,54 +3,70 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
-#include "lsdem/contact/solid.hpp"
+#include "lsdem/contact/depth_cells.hpp"
+#include "lsdem/contact/placed_solid.hpp"
 #include "lsdem/types.hpp"
 
 /// Forces between two convex bodies where they overlap, see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
 
+/// A point of a face of one body inside the other.
+struct OverlapVertex {
+    Vector3 place;  ///< world axes, about the origin of the pair [m]
+    double depth;   ///< below the nearest face of the other body [m]
+};
+
 /// The faces of two bodies inside each other, cut into pieces over which the depth below the nearest face of the other body is affine.
+/// Keeps its memory from one pair to the next.
 class OverlapPieces {
   public:
     struct Piece {
         Vector3 normal;          ///< outward, of the body whose face it is part of
         double facing;           ///< cosine by which it faces the nearest face of the other body: 1 where they meet flat [-]
-        std::uint16_t first;     ///< into the vertices
-        std::uint16_t count;     ///< of its vertices, counter-clockwise about the normal
-        std::size_t body;        ///< whose face it is: 0 the first's, 1 the second's
+        std::uint32_t first;     ///< into the vertices
+        std::uint32_t count;     ///< of its vertices, counter-clockwise about the normal
+        std::uint32_t body;      ///< whose face it is: 0 the first's, 1 the second's
         Vector3 nearest_normal;  ///< outward, of the face of the other body that is nearest
     };
-    struct Vertex {
-        Vector3 place;  ///< world axes, about the origin of the pair [m]
-        double depth;   ///< below the nearest face of the other body [m]
-    };
-
-    /// Corners of a piece at most.
-    static constexpr std::size_t kMostCorners = PlacedSolid::kMostCorners + 2 * PlacedSolid::kMostFaces;
-
-    OverlapPieces() {}  // room that is not used is not cleared
+    using Vertex = OverlapVertex;
 
     /// Cuts the faces of `a` and `b` anew.
     void cut(const PlacedSolid& a, const PlacedSolid& b);
 
     const Piece* begin() const { return pieces_.data(); }
-    const Piece* end() const { return pieces_.data() + piece_count_; }
+    const Piece* end() const { return pieces_.data() + pieces_.size(); }
     const Vertex* vertices(const Piece& piece) const { return &vertices_[piece.first]; }
-    /// The faces of a body that may be nearest to some of the overlap, one bit each: those nearest to some piece, and those that have one,
-    /// since a cell that reaches no face of the other body reaches its own.
-    std::uint32_t with_cells_of(std::size_t body) const { return with_cells_[body]; }
+    /// The largest number of vertices of a piece.
+    std::size_t most_vertices() const { return most_vertices_; }
 
   private:
-    /// Enough for two boxes: twelve faces, each with a cell for every face of the other box and 14 corners at most. Shapes with more faces
-    /// will need more.
-    static constexpr std::size_t kMostPieces = 128, kMostVertices = 1024;
-    void cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::size_t body);
+    /// Which corners of one piece lie outside which planes of another: a bit each, `words` words a plane.
+    struct Sides {
+        enum class Share { none, some, all };
+        std::vector<std::uint64_t> outside;
+        std::size_t words = 0;
+        bool all_outside = false;  ///< all corners lie outside one plane: the pieces are apart
 
-    std::size_t piece_count_ = 0, vertex_count_ = 0;
-    std::array<std::uint32_t, 2> with_cells_{};
-    std::array<Piece, kMostPieces> pieces_;
-    std::array<Vertex, kMostVertices> vertices_;
+        void find(const PlacedPiece& corners, const PlacedPiece& planes);
+        /// How many corners of a loop lie outside a plane.
+        Share share(std::size_t plane, std::span<const std::uint32_t> loop) const;
+    };
+    /// The part of face f of x inside y, as `polygon_`.
+    void cut_face(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, const Sides& of_x, const Sides& of_y);
+    void add_pieces(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, std::uint32_t body);
+
+    std::vector<Piece> pieces_;
+    std::vector<Vertex> vertices_;
+    std::size_t most_vertices_ = 0;
+    // room for one face at a time
+    std::array<Sides, 2> sides_;
+    std::vector<std::size_t> cuts_;
+    detail::Polygon polygon_;
+    detail::PolygonCutter cutter_;
+    detail::DepthCells cells_;
 };
 
 /// Load by the springs of an overlap, for a stiffness per area of one.
@@ -62,6 +78,9 @@ struct OverlapLoad {
     double area = 0.0;                 ///< of the faces of one body inside the other, the mean of both: its stiffness is no larger [m²]
 };
 OverlapLoad sum_load(const OverlapPieces& pieces);
+
+/// ∫ d² over a polygon in a plane of normal n [m⁴].
+double integrate_square(std::size_t count, const Vector3& normal, const OverlapVertex* vertices);
 
 /// ½ ∫ (d_a + d_b) dV over the overlap, of which the force is minus the gradient [m⁴]: the energy for a stiffness per area of one.
 double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces);

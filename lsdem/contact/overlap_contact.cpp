@@ -53,13 +53,13 @@ struct PieceCells {
 
 }  // namespace
 
-void compute_exact_pair(LanePair& pair, double dt, bool first_step, OverlapPieces& room) {
-    const PlacedPair placed(pair.meeting);
-    room.cut(placed.a, placed.b);
-    const OverlapGeometry geometry = find_overlap_geometry(room);
+void compute_exact_pair(LanePair& pair, const MeetingSolids& solids, double dt, bool first_step, ExactRoom& room) {
+    room.placed.place(pair.meeting, solids);
+    room.pieces.cut(room.placed.a, room.placed.b);
+    const OverlapGeometry geometry = find_overlap_geometry(room.pieces);
     Vector shift;
-    const One::Step::Motion motion = One::gather_motion(&pair, to_lane(placed.apart), shift);
-    const PieceCells cells{room};
+    const One::Step::Motion motion = One::gather_motion(&pair, to_lane(room.placed.apart), shift);
+    const PieceCells cells{room.pieces};
     One::compute(&pair, to_lane(geometry), motion, dt, first_step, geometry.load.area, true, cells);
     pair.contact->company = 0;
 }

@@ -56,8 +56,13 @@ struct LanePair {
 void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere,
                         std::span<const LanePair> next);
 
-/// The same for one pair, by the exact function; `room`: for the pieces of its faces.
-void compute_exact_pair(LanePair& pair, double dt, bool first_step, OverlapPieces& room);
+/// Memory that the exact function keeps from one pair to the next.
+struct ExactRoom {
+    PlacedPair placed;
+    OverlapPieces pieces;
+};
+/// The same for one pair of any two solids, by the exact function.
+void compute_exact_pair(LanePair& pair, const MeetingSolids& solids, double dt, bool first_step, ExactRoom& room);
 
 /// Overlap alone, without a step, for a stiffness per area of one; about the point half way between the middles of the boxes.
 struct LaneFinding {

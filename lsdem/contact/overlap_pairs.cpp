@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lsdem/contact/box_gap.hpp"
+#include "lsdem/contact/face_gap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
 
@@ -16,13 +17,20 @@ constexpr double kGroundReach = 4.0;
 /// Least distance between the bodies of a pair; zero or less where they may overlap [m].
 double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
-    if (pair.follower == kGround) {
-        const double reach = bodies.pose[l].rotation.row(2).cwiseAbs().dot(bodies.pose[l].half);
-        return (bodies.pose[l].position.z() - base.displacement.z()) - reach;
-    }
+    if (pair.follower == kGround) return (bodies.pose[l].position.z() - base.displacement.z()) - bodies.find_reach_down(l);
     const Matrix3 to_follower = bodies.pose[f].rotation.transpose();
     const Vector3 position = to_follower * (bodies.pose[l].position - bodies.pose[f].position);
-    return detail::find_gap(bodies.pose[l].half, bodies.pose[f].half, to_follower * bodies.pose[l].rotation, position);
+    const Placing place{to_follower * bodies.pose[l].rotation, position};
+    const double of_boxes = detail::find_gap(bodies.pose[l].half, bodies.pose[f].half, place.rotation, place.position);
+    if (!pair.is_exact || of_boxes > 0.0) return of_boxes;
+    const Solid *const leader = bodies.solid[l], *const follower = bodies.solid[f];
+    if (leader == nullptr || follower == nullptr) return of_boxes;
+    return find_gap_of_faces(*follower, *leader, place);
+}
+
+/// Solids of the bodies of a pair, the leader first.
+MeetingSolids solids_of(const Bodies& bodies, const ContactPair& pair) {
+    return {bodies.solid[pair.leader], pair.follower == kGround ? nullptr : bodies.solid[pair.follower]};
 }
 
 /// Both boxes of a pair, the leader first; the ground as a sheet right below its block.
@@ -51,6 +59,12 @@ void OverlapBatch::add(std::size_t index) {
             list_.tallies[index] = PairTally{};
             return;
         }
+    }
+    if (pair.is_exact) {
+        detail::LanePair& lane = exact_.lanes[0];
+        place(index, exact_, 0);
+        compute_exactly(index, lane);
+        return note(index, lane.area);
     }
     waiting_[waiting_count_++] = std::uint64_t{list_.overlaps[pair.overlap].company} << 32U | index;
     if (waiting_count_ == kRoom) compute_waiting();
@@ -124,28 +138,37 @@ void OverlapBatch::compute(Group& group, const Group& next) {
         const std::size_t index = group.index[i];
         if (group.lanes[i].irregular) {
             place(index, group, i);  // its results went nowhere
-            detail::compute_exact_pair(group.lanes[i], base_.elapsed, list_.first_step, room_);
+            compute_exactly(index, group.lanes[i]);
         }
-        if (list_.demand.wanted) list_.demand.ask(index, group.lanes[i].area);
-        deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));
+        note(index, group.lanes[i].area);
     }
+}
+
+void OverlapBatch::compute_exactly(std::size_t index, detail::LanePair& lane) {
+    detail::compute_exact_pair(lane, solids_of(bodies_, list_.pairs[index]), base_.elapsed, list_.first_step, room_);
+}
+
+/// Books what a pair asks for and how deep it is.
+void OverlapBatch::note(std::size_t index, double area) {
+    if (list_.demand.wanted) list_.demand.ask(index, area);
+    deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));
 }
 
 void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
                          const std::function<void(std::size_t, const MeetingArea&)>& visit) {
     constexpr std::size_t kSize = detail::kLanePairs;
-    OverlapPieces room;
+    detail::ExactRoom room;
     std::array<std::size_t, kSize> index{};
     std::array<detail::BoxMeeting, kSize> meetings{};
     std::array<BodyPose, kSize> sheets;
     std::array<detail::LaneFinding, kSize> found;
     std::size_t count = 0;
     const auto visit_exactly = [&](std::size_t p, const detail::BoxMeeting& meeting) {
-        const PlacedPair placed(meeting);
-        room.cut(placed.a, placed.b);
-        const OverlapGeometry geometry = find_overlap_geometry(room);
-        if (!geometry.touches()) return;
         const ContactPair& pair = list.pairs[p];
+        room.placed.place(meeting, solids_of(bodies, pair));
+        room.pieces.cut(room.placed.a, room.placed.b);
+        const OverlapGeometry geometry = find_overlap_geometry(room.pieces);
+        if (!geometry.touches()) return;
         const Vector3& leader = bodies.pose[pair.leader].position;
         const Vector3 origin = pair.follower == kGround ? leader : Vector3(0.5 * (leader + bodies.pose[pair.follower].position));
         visit(p, {geometry.area.area, geometry.load.force.normalized(), origin + geometry.pressed() + geometry.area.arm,
@@ -172,6 +195,11 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
         if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
+        if (pair.is_exact) {
+            BodyPose sheet;
+            visit_exactly(p, make_meeting(bodies, base, pair, sheet));
+            continue;
+        }
         meetings[count] = make_meeting(bodies, base, pair, sheets[count]);
         index[count++] = p;
         if (count == kSize) visit_waiting();
@@ -184,7 +212,7 @@ double find_overlap_energy(const Bodies& bodies, const BasePose& base, const Con
     if (!tally.rough) return tally.elastic_normal;
     OverlapPieces room;
     BodyPose sheet;
-    const PlacedPair placed(make_meeting(bodies, base, list.pairs[pair], sheet));
+    const PlacedPair placed(make_meeting(bodies, base, list.pairs[pair], sheet), solids_of(bodies, list.pairs[pair]));
     room.cut(placed.a, placed.b);
     return list.pairs[pair].law.normal_stiffness * compute_overlap_energy(placed.a, placed.b, room);
 }

@@ -10,7 +10,7 @@
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
 
-/// Pairs of boxes, and of a box and the ground, that meet by their overlap.
+/// Pairs of solids, and of a solid and the ground, that meet by their overlap.
 namespace musim::lsdem {
 
 /// Computes pairs at step n from the poses at n and n − 1, several side by side: forces, what they remember, tallies and work. Which pairs
@@ -46,6 +46,8 @@ class OverlapBatch {
     void place(std::size_t index, Group& group, std::size_t lane);
     void place(const std::uint64_t* waiting, std::size_t count, Group& group);
     void compute(Group& group, const Group& next);
+    void compute_exactly(std::size_t index, detail::LanePair& lane);
+    void note(std::size_t index, double area);
 
     const Bodies& bodies_;
     const BasePose& base_;
@@ -55,8 +57,9 @@ class OverlapBatch {
     std::size_t waiting_count_ = 0;
     Waiting waiting_, room_for_sort_;
     std::array<Group, 2> groups_;  ///< one of them is computed, and the memory of the other asked for meanwhile
+    Group exact_;                  ///< a pair that is computed by itself
     detail::LaneOutput nowhere_;   ///< where what nobody asks for goes
-    OverlapPieces room_;           ///< of the pair that is being cut
+    detail::ExactRoom room_;       ///< of the pair that is being cut
 };
 
 /// Where friction and dashpots of a contact act, world axes and origin.

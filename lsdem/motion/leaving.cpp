@@ -1,6 +1,7 @@
 #include "lsdem/motion/leaving.hpp"
 
 #include "lsdem/contact/box_gap.hpp"
+#include "lsdem/solid/solid_gap.hpp"
 
 namespace musim::lsdem::detail {
 namespace {
@@ -16,15 +17,20 @@ double find_uprightness(const Block& drawn, const BodyPose& pose) {
 /// Is block i farther than `gap` [m] from the ground and from all other blocks?
 bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t i, double gap) {
     const BodyPose& a = bodies.pose[i];
-    const double reach = a.rotation.row(2).cwiseAbs().dot(a.half);
-    if (model.ground.present && a.position.z() - base.displacement.z() - reach <= gap) return false;
+    if (model.ground.present && a.position.z() - base.displacement.z() - bodies.find_reach_down(i) <= gap) return false;
     for (std::size_t j = 0; j < bodies.size(); ++j) {
         if (j == i) continue;
         const BodyPose& b = bodies.pose[j];
         const Vector3 offset = a.position - b.position;
         if (offset.norm() > a.half.norm() + b.half.norm() + gap) continue;
         const Matrix3 to_b = b.rotation.transpose();
-        if (find_gap(a.half, b.half, to_b * a.rotation, to_b * offset) <= gap) return false;
+        const Placing place{to_b * a.rotation, to_b * offset};
+        const double of_boxes = find_gap(a.half, b.half, place.rotation, place.position);
+        if (of_boxes > gap) continue;
+        if (bodies.solid[i] == nullptr && bodies.solid[j] == nullptr) return false;
+        const Solid own = bodies.solid[i] != nullptr ? *bodies.solid[i] : make_box_solid(2.0 * a.half);
+        const Solid other = bodies.solid[j] != nullptr ? *bodies.solid[j] : make_box_solid(2.0 * b.half);
+        if (lsdem::find_gap(other, own, place) <= gap) return false;
     }
     return true;
 }

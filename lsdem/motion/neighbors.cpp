@@ -178,12 +178,15 @@ void NeighborSearch::add_nodes(BlockPair blocks, const Bodies& bodies, const Bas
 bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const {
     const auto can = [&](std::uint32_t block) { return block == kGround || meets_by_overlap(*model_, model_->blocks[block]); };
     if (!can(blocks.leader) || !can(blocks.follower)) return false;
+    const auto is_solid = [&](std::uint32_t block) { return block != kGround && bodies.solid[block] != nullptr; };
+    const bool is_exact = is_solid(blocks.leader) || is_solid(blocks.follower);
     list.pairs.push_back({.leader = blocks.leader,
                           .follower = blocks.follower,
                           .first_node = static_cast<std::uint32_t>(list.nodes.size()),
                           .overlap = static_cast<std::uint32_t>(list.overlaps.size()),
+                          .is_exact = is_exact,
                           .law = make_pair_interface(blocks)});
-    name_axes(bodies, list.pairs.back());
+    if (!is_exact) name_axes(bodies, list.pairs.back());
     list.overlaps.emplace_back();
     return true;
 }
@@ -212,8 +215,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     }
     if (model_->ground.present) {
         for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-            const Vector3 half = world_half(bodies.pose[i].rotation, bodies.pose[i].half);
-            const bool near = bodies.pose[i].position.z() - half.z() <= base.displacement.z() + skin_;
+            const bool near = bodies.pose[i].position.z() - bodies.find_reach_down(i) <= base.displacement.z() + skin_;
             if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
         }
     }

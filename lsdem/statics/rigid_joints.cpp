@@ -8,7 +8,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact/box_meeting.hpp"
-#include "lsdem/contact/solid.hpp"
+#include "lsdem/contact/placed_solid.hpp"
 #include "lsdem/contact_law.hpp"
 
 namespace musim::lsdem {
@@ -23,7 +23,7 @@ struct Meeting {
 };
 
 /// Room between a face of one solid and all of another along its normal [m].
-double find_room(const PlacedSolid& of, std::size_t face, const PlacedSolid& other) {
+double find_room(const PlacedPiece& of, std::size_t face, const PlacedPiece& other) {
     double room = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < other.corner_count; ++c) room = std::min(room, -of.depth(face, other.corner[c]));
     return room;
@@ -54,7 +54,7 @@ double find_width(const Polygon& polygon) {
 }
 
 /// The face of a solid that looks at a plane of this normal the most.
-std::size_t find_facing(const PlacedSolid& solid, const Vector3& normal) {
+std::size_t find_facing(const PlacedPiece& solid, const Vector3& normal) {
     std::size_t facing = 0;
     for (std::size_t k = 1; k < solid.face_count; ++k) {
         if (solid.normal[k].dot(normal) < solid.normal[facing].dot(normal)) facing = k;
@@ -63,14 +63,13 @@ std::size_t find_facing(const PlacedSolid& solid, const Vector3& normal) {
 }
 
 /// Where the other solid lies over a face no farther than `gap`.
-Polygon find_covered(const PlacedSolid& of, std::size_t face, const PlacedSolid& other, double gap) {
+Polygon find_covered(const PlacedPiece& of, std::size_t face, const PlacedPiece& other, double gap) {
     const Vector3& normal = of.normal[face];
-    const PlacedSolid::Loop& facing = other.loop[find_facing(other, normal)];
     Polygon polygon;
-    for (std::size_t i = 0; i < facing.count; ++i) polygon.push_back(other.corner[facing.first[i]]);
-    const PlacedSolid::Loop& around = of.loop[face];
-    for (std::size_t i = 0; i < around.count; ++i) {
-        const Vector3 &from = of.corner[around.first[i]], &to = of.corner[around.first[(i + 1) % around.count]];
+    for (const std::uint32_t c : other.loop(find_facing(other, normal))) polygon.push_back(other.corner[c]);
+    const auto around = of.loop(face);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        const Vector3 &from = of.corner[around[i]], &to = of.corner[around[(i + 1) % around.size()]];
         const Vector3 outward = (to - from).cross(normal);
         polygon = cut_off(polygon, outward, outward.dot(from));
     }
@@ -80,12 +79,12 @@ Polygon find_covered(const PlacedSolid& of, std::size_t face, const PlacedSolid&
 
 using Edge = std::array<Vector3, 2>;
 
-std::vector<Edge> find_edges(const PlacedSolid& solid) {
+std::vector<Edge> find_edges(const PlacedPiece& solid) {
     std::vector<Edge> edges;
     for (std::size_t k = 0; k < solid.face_count; ++k) {
-        const PlacedSolid::Loop& loop = solid.loop[k];
-        for (std::size_t i = 0; i < loop.count; ++i) {
-            const std::uint8_t from = loop.first[i], to = loop.first[(i + 1) % loop.count];
+        const auto loop = solid.loop(k);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
             // every edge is in two faces, once in either direction
             if (from < to) edges.push_back({solid.corner[from], solid.corner[to]});
         }
@@ -97,7 +96,7 @@ std::vector<Edge> find_edges(const PlacedSolid& solid) {
 constexpr double kParallel = 1e-3;
 
 /// Does an edge of one lie along one of the other, no farther apart than `gap`, over more than that?
-bool have_common_edge(const PlacedSolid& a, const PlacedSolid& b, double gap) {
+bool have_common_edge(const PlacedPiece& a, const PlacedPiece& b, double gap) {
     const std::vector<Edge> edges_of_b = find_edges(b);
     for (const Edge& of_a : find_edges(a)) {
         const Vector3 u = of_a[1] - of_a[0];
@@ -116,7 +115,7 @@ bool have_common_edge(const PlacedSolid& a, const PlacedSolid& b, double gap) {
 }
 
 /// Where an edge of each cross, seen along the normal on both, no farther apart than `gap`, with all else of the solids on either side.
-std::optional<Meeting> find_crossing(const PlacedSolid& a, const PlacedSolid& b, const Vector3& apart, double gap) {
+std::optional<Meeting> find_crossing(const PlacedPiece& a, const PlacedPiece& b, const Vector3& apart, double gap) {
     for (const Edge& of_a : find_edges(a)) {
         for (const Edge& of_b : find_edges(b)) {
             const Vector3 u = of_a[1] - of_a[0], v = of_b[1] - of_b[0], w = of_b[0] - of_a[0];
@@ -140,13 +139,14 @@ std::optional<Meeting> find_crossing(const PlacedSolid& a, const PlacedSolid& b,
     return std::nullopt;
 }
 
-std::optional<Meeting> find_meeting(const PlacedPair& pair, double gap) {
-    const std::array<const PlacedSolid*, 2> solid{&pair.a, &pair.b};
+std::optional<Meeting> find_meeting(const PlacedPiece& a, const PlacedPiece& b, const Vector3& apart, double gap) {
+    const std::array<const PlacedPiece*, 2> solid{&a, &b};
     // the plane with the most room between the solids, along a face of one
     double most = -std::numeric_limits<double>::infinity();
     std::size_t of = 0, face = 0;
     for (std::size_t s = 0; s < 2; ++s) {
         for (std::size_t k = 0; k < solid[s]->face_count; ++k) {
+            if (!solid[s]->is_outer(k)) continue;
             const double room = find_room(*solid[s], k, *solid[1 - s]);
             if (room > gap) return std::nullopt;
             if (room > most) most = room, of = s, face = k;
@@ -155,7 +155,7 @@ std::optional<Meeting> find_meeting(const PlacedPair& pair, double gap) {
     const Polygon covered = find_covered(*solid[of], face, *solid[1 - of], gap);
     const Vector3& outward = solid[of]->normal[face];
     if (!covered.empty()) return Meeting{of == 0 ? outward : Vector3(-outward), covered};
-    return pair.b.corner_count > 4 ? find_crossing(pair.a, pair.b, pair.apart, gap) : std::nullopt;
+    return b.face_count > 1 ? find_crossing(a, b, apart, gap) : std::nullopt;
 }
 
 BodyPose pose_of(const Model& model, const Block& block) {
@@ -217,16 +217,21 @@ class JointSearch {
         add(i, j, {.a = &poses_[i], .b = &poses_[j]}, std::min(gap_of(i), gap_of(j)), find_joint(model_, a.material, b.material).friction);
     }
     void add(std::size_t block, std::optional<std::size_t> other, const detail::BoxMeeting& boxes, double gap, double friction) {
-        const PlacedPair pair(boxes);
-        std::optional<Meeting> meeting = find_meeting(pair, gap);
-        if (!meeting) {
-            leaves_out_edges_ = leaves_out_edges_ || (other && have_common_edge(pair.a, pair.b, gap));
-            return;
-        }
+        const PlacedPair pair(boxes, {solid_of(block), other ? solid_of(*other) : nullptr});
         const Vector3 origin = boxes.a->position + boxes.origin * (boxes.b->position - boxes.a->position);
-        for (Vector3& corner : meeting->corners) corner += origin;
-        joints_.push_back({block, other, -meeting->normal, std::move(meeting->corners), friction});
+        for (const PlacedPiece& a : pair.a.pieces()) {
+            for (const PlacedPiece& b : pair.b.pieces()) {
+                std::optional<Meeting> meeting = find_meeting(a, b, pair.apart, gap);
+                if (!meeting) {
+                    leaves_out_edges_ = leaves_out_edges_ || (other && have_common_edge(a, b, gap));
+                    continue;
+                }
+                for (Vector3& corner : meeting->corners) corner += origin;
+                joints_.push_back({block, other, -meeting->normal, std::move(meeting->corners), friction});
+            }
+        }
     }
+    const Solid* solid_of(std::size_t block) const { return model_.shapes[model_.blocks[block].shape].solid.get(); }
 
     const Model& model_;
     double gap_;

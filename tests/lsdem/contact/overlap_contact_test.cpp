@@ -48,8 +48,8 @@ class MovedBox {
         box_.step.shift = box_.position - before;
         PairForce force;
         detail::LanePair pair{{&table_, &box_}, &law_, &contact_, &force, &tally_, &work_};
-        OverlapPieces room;
-        detail::compute_exact_pair(pair, kStep, false, room);
+        detail::ExactRoom room;
+        detail::compute_exact_pair(pair, {}, kStep, false, room);
         return {-force.force, force.follower_torque};
     }
     double lost() const { return work_.friction; }

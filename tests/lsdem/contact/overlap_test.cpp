@@ -128,7 +128,8 @@ double integrate(const std::vector<HalfSpace>& body, const HalfSpace& f, double 
 double energy_by_tetrahedra(const PlacedSolid& a, const PlacedSolid& b, double size) {
     const auto planes = [](const PlacedSolid& solid) {
         std::vector<HalfSpace> result;
-        for (std::size_t k = 0; k < solid.face_count; ++k) result.push_back({solid.offset[k], -solid.normal[k]});
+        const PlacedPiece& piece = solid.pieces().front();
+        for (std::size_t k = 0; k < piece.face_count; ++k) result.push_back({piece.offset[k], -piece.normal[k]});
         return result;
     };
     const std::vector<HalfSpace> of_a = planes(a), of_b = planes(b);
@@ -265,7 +266,7 @@ TEST_CASE("the half space is the face of a block that is large enough") {
         for (int i = 0; i < 8; ++i) {
             Body b{solid, random.rotation()};
             double lowest = 0.0;
-            for (const Vector3& corner : solid.corners) lowest = std::min(lowest, (b.rotation * corner).z());
+            for (const Vector3& corner : solid.pieces.front().corners) lowest = std::min(lowest, (b.rotation * corner).z());
             b.center.z() = -lowest - 0.01;
             const Body slab{box({20.0, 20.0, 4.0}), Matrix3::Identity(), {0.0, 0.0, -2.0}};
             PlacedSolid ground;

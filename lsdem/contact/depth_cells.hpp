@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "lsdem/contact/placed_solid.hpp"
+#include "lsdem/types.hpp"
+
+/// Convex polygons inside a solid, cut into cells over which one of its planes decides on the depth.
+namespace musim::lsdem::detail {
+
+/// An affine function: at + slope·x.
+struct Affine {
+    double at;
+    Vector3 slope;
+    double operator()(const Vector3& x) const { return at + slope.dot(x); }
+};
+inline Affine depth_below(const Plane& plane) { return {plane.offset, -plane.normal}; }
+inline Affine difference(const Affine& a, const Affine& b) { return {a.at - b.at, a.slope - b.slope}; }
+
+/// Corners of a convex polygon, in order [m].
+using Polygon = std::vector<Vector3>;
+
+/// Cuts polygons; keeps its memory.
+class PolygonCutter {
+  public:
+    /// Keeps what lies where `inside` is positive; the border counts as inside where `with_border` says so [SutherlandHodgman74].
+    void clip(const Affine& inside, bool with_border, Polygon& polygon);
+
+  private:
+    std::vector<double> at_;
+    Polygon from_;
+};
+
+/// Cuts polygons that lie inside a piece of a solid; keeps its memory.
+class DepthCells {
+  public:
+    /// Calls visit(k, cell) for the cells of a polygon over which plane k of PlacedPiece::nearest_plane decides, see Polyhedron::wholes.
+    template <class Visit>
+    void visit(const Polygon& polygon, const PlacedPiece& piece, const Visit& visit) {
+        for (std::size_t whole = 0; whole < piece.whole_count(); ++whole) {
+            visit_nearest(polygon, piece, whole, 0, [&](std::uint32_t k, const Polygon& cell) { visit_deepest(piece, {whole, k}, 0, 1, cell, visit); });
+        }
+    }
+
+    /// Calls visit(k, cell) for the cells of a polygon over which plane k is the nearest of one whole. `level`: of the memory to use; visit
+    /// may use higher ones.
+    template <class Visit>
+    void visit_nearest(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, std::size_t level, const Visit& visit) {
+        if (levels_.size() <= level) levels_.resize(level + 1);
+        Level& room = levels_[level];
+        find_candidates(polygon, piece, whole, room);
+        for (const std::uint32_t k : room.candidates) {
+            room.cell = polygon;
+            const Affine own = depth_below(piece.nearest_plane(k));
+            for (const std::uint32_t other : room.candidates) {
+                if (room.cell.empty()) break;
+                if (other != k) cutter_.clip(difference(depth_below(piece.nearest_plane(other)), own), other > k, room.cell);
+            }
+            if (room.cell.size() >= 3) visit(k, room.cell);
+        }
+    }
+
+  private:
+    struct Level {
+        std::vector<std::uint32_t> candidates;
+        std::vector<double> least, depth;
+        Polygon cell, deeper;
+    };
+    /// A plane of a whole.
+    struct Chosen {
+        std::size_t whole;
+        std::uint32_t plane;
+    };
+    /// Planes of a whole that may be the nearest somewhere, by bounds.
+    static void find_candidates(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, Level& room);
+
+    /// Of a cell in which a plane is the nearest of its whole, the part in which no whole from `next` on is deeper.
+    template <class Visit>
+    void visit_deepest(const PlacedPiece& piece, const Chosen& chosen, std::size_t next, std::size_t level, const Polygon& cell,
+                       const Visit& visit) {
+        if (next == chosen.whole) ++next;
+        if (next >= piece.whole_count()) return visit(chosen.plane, cell);
+        const Affine own = depth_below(piece.nearest_plane(chosen.plane));
+        visit_nearest(cell, piece, next, level, [&](std::uint32_t m, const Polygon& part) {
+            if (m == chosen.plane) {
+                // as deep: the first of both takes it
+                if (chosen.whole < next) visit_deepest(piece, chosen, next + 1, level + 1, part, visit);
+                return;
+            }
+            Polygon& shallower = levels_[level].deeper;
+            shallower = part;
+            cutter_.clip(difference(own, depth_below(piece.nearest_plane(m))), chosen.whole < next, shallower);
+            if (shallower.size() >= 3) visit_deepest(piece, chosen, next + 1, level + 1, shallower, visit);
+        });
+    }
+
+    PolygonCutter cutter_;
+    std::deque<Level> levels_;  // whose places stay when it grows
+};
+
+}  // namespace musim::lsdem::detail
