@@ -11,10 +11,15 @@ inline constexpr double kFallenDrop = 0.25;
 
 /// Has a block fallen: sunk by more than a quarter of its height at the start, or turned by more than 45° from its upright at the start?
 ///
-/// `half_extents`: of its box, body frame [m]; `start`, `now`: body to world; `sunk`: relative to the base since the start [m].
-inline bool has_fallen(const Vector3& half_extents, const Matrix3& start, const Matrix3& now, double sunk) {
-    const double height = 2.0 * start.row(2).cwiseAbs().dot(half_extents);
+/// `height`: from its lowest to its highest point at the start [m]; `start`, `now`: body to world; `sunk`: relative to the base since the
+/// start [m].
+inline bool has_fallen(double height, const Matrix3& start, const Matrix3& now, double sunk) {
     return sunk > kFallenDrop * height || now.row(2).dot(start.row(2)) < std::numbers::sqrt2 / 2.0;
+}
+
+/// The same of a block that fills its box of half extents `half_extents`, body frame [m].
+inline bool has_fallen(const Vector3& half_extents, const Matrix3& start, const Matrix3& now, double sunk) {
+    return has_fallen(2.0 * start.row(2).cwiseAbs().dot(half_extents), start, now, sunk);
 }
 
 }  // namespace musim::lsdem

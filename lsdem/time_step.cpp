@@ -11,6 +11,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/detail/matrix6.hpp"
+#include "lsdem/solid/bearing_side.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -39,17 +40,11 @@ Eigen::Index find_upright_axis(const Block& block) {
 /// Spread of the stiffness of a face: evenly, or over its nodes by area.
 enum class Spread { even, by_nodes };
 
-/// Points that stand for a face, with their areas.
-struct FacePoint {
-    Vector3 place;  ///< [m]
-    double area;    ///< [m²]
-};
-
 /// Four points with the area and the second moments of a rectangle.
-std::vector<FacePoint> spread_evenly(const Vector3& half, Eigen::Index axis, double sign) {
+std::vector<AreaPoint> spread_evenly(const Vector3& half, Eigen::Index axis, double sign) {
     const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
     const double to_point = 1.0 / std::sqrt(3.0);
-    std::vector<FacePoint> points;
+    std::vector<AreaPoint> points;
     for (const double along_u : {-to_point, to_point}) {
         for (const double along_v : {-to_point, to_point}) {
             Vector3 place;
@@ -61,37 +56,43 @@ std::vector<FacePoint> spread_evenly(const Vector3& half, Eigen::Index axis, dou
 }
 
 /// Points of a face of a block.
-std::vector<FacePoint> find_face_points(const Model& model, const Block& block, Eigen::Index axis, double sign, Spread spread) {
+std::vector<AreaPoint> find_face_points(const Model& model, const Block& block, Eigen::Index axis, double sign, Spread spread) {
     if (spread == Spread::even) return spread_evenly(half_extents(model, block), axis, sign);
     const BlockNodes nodes = nodes_of(model, block);
-    std::vector<FacePoint> points;
+    std::vector<AreaPoint> points;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const FacePoint point{nodes.position(i), std::max(0.0, sign * nodes.area(i)[axis])};
+        const AreaPoint point{nodes.position(i), std::max(0.0, sign * nodes.area(i)[axis])};
         if (point.area > 0.0) points.push_back(point);
     }
     return points;
 }
 
-/// Face of a block across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
-ModeMatrices face_matrices(const Model& model, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
+/// Points of a block pressed on a rigid plane across `normal`, body frame, through an interface.
+ModeMatrices press(const Model& model, const Block& block, const Interface& law, const Vector3& normal, const std::vector<AreaPoint>& points) {
     const double per_root_mass = 1.0 / std::sqrt(block.mass);
     const Vector3 per_root_inertia = block.rotation_locked
                                          ? Vector3(Vector3::Zero())
                                          : Vector3((block.mass * inertia_over_mass(model, block)).cwiseSqrt().cwiseInverse());
     ModeMatrices sum;
-    for (const auto& [p, area] : find_face_points(model, block, axis, sign, spread)) {
+    for (const auto& [p, area] : points) {
         // displacement of the point by unit translations and rotations
         Eigen::Matrix<double, 3, 6> b;
         b.leftCols<3>() = per_root_mass * Matrix3::Identity();
         b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
         b.rightCols<3>() = (b.rightCols<3>() * per_root_inertia.asDiagonal()).eval();
-        Vector3 k = Vector3::Constant(area * law.shear_stiffness), c = Vector3::Constant(area * law.shear_damping);
-        k[axis] = area * law.normal_stiffness;
-        c[axis] = area * law.normal_damping;
-        sum.stiffness += b.transpose() * k.asDiagonal() * b;
-        sum.damping += b.transpose() * c.asDiagonal() * b;
+        const auto per_area = [&](double along, double across) {
+            const Matrix3 projector = normal * normal.transpose();
+            return Matrix3(area * across * (Matrix3::Identity() - projector) + area * along * projector);
+        };
+        sum.stiffness += b.transpose() * per_area(law.normal_stiffness, law.shear_stiffness) * b;
+        sum.damping += b.transpose() * per_area(law.normal_damping, law.shear_damping) * b;
     }
     return sum;
+}
+
+/// Face of a block across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
+ModeMatrices face_matrices(const Model& model, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
+    return press(model, block, law, Vector3::Unit(axis), find_face_points(model, block, axis, sign, spread));
 }
 
 /// dt for which the largest eigenvalue of K·dt²/4 + C·dt/2 is one.
@@ -141,11 +142,11 @@ Interface make_ground_interface(const Model& model, const Block& block) {
     return make_interface(find_joint(model, block.material, std::nullopt), block.mass, model.shapes[block.shape].face_area);
 }
 
-/// Limit of a block whose two faces across `axis` bear.
-double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis, Spread spread) {
+/// Limit of a block of which two sides bear; `press_side(i, law)`: the matrices of the upper, 0, and the lower one, 1.
+template <class PressSide>
+double block_limit(const Model& model, const Partners& partners, const Block& block, const PressSide& press_side) {
     const Interface between = partners.stiffest(block);
-    const ModeMatrices top = face_matrices(model, block, between, axis, 1.0, spread),
-                       bottom = face_matrices(model, block, between, axis, -1.0, spread);
+    const ModeMatrices top = press_side(0, between), bottom = press_side(1, between);
     ModeMatrices in_stack;
     in_stack.add(top, 2.0);
     in_stack.add(bottom, 2.0);
@@ -153,14 +154,48 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
     if (model.ground.present) {
         ModeMatrices at_base;
         at_base.add(top, 2.0);
-        at_base.add(face_matrices(model, block, make_ground_interface(model, block), axis, -1.0, spread), 1.0);
+        at_base.add(press_side(1, make_ground_interface(model, block)), 1.0);
         limit = std::min(limit, solve_limit(at_base));
     }
     return limit;
 }
 
+/// Limit of a block whose two faces across `axis` bear.
+double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis, Spread spread) {
+    return block_limit(model, partners, block, [&](int side, const Interface& law) {
+        return face_matrices(model, block, law, axis, side == 0 ? 1.0 : -1.0, spread);
+    });
+}
+
+/// Limit of a solid of which any side bears, with the one that faces away from it.
+double solid_limit(const Model& model, const Partners& partners, const Block& block, const Solid& solid) {
+    double limit = std::numeric_limits<double>::infinity();
+    for (const BearingSide& side : find_bearing_sides(solid)) {
+        const BearingSide other = find_bearing_side(solid, -side.normal);
+        limit = std::min(limit, block_limit(model, partners, block, [&](int i, const Interface& law) {
+                             const BearingSide& pressed = i == 0 ? other : side;
+                             return press(model, block, law, pressed.normal, pressed.points);
+                         }));
+    }
+    return limit;
+}
+
 double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis) {
+    const Solid* const solid = model.shapes[block.shape].solid.get();
+    if (solid != nullptr) return solid_limit(model, partners, block, *solid);
     return block_limit(model, partners, block, axis, meets_by_overlap(model, block) ? Spread::even : Spread::by_nodes);
+}
+
+/// Area of the largest face of a block, or of the faces of a solid that may bear together [m²].
+double find_largest_face(const Model& model, const Block& block) {
+    const Solid* const solid = model.shapes[block.shape].solid.get();
+    if (solid == nullptr) {
+        const Vector3 half = half_extents(model, block);
+        return 4.0 * half.prod() / half.minCoeff();
+    }
+    double largest = 0.0;
+    for (const BearingSide& side : find_bearing_sides(*solid)) largest = std::max(largest, side.area());
+    return largest;
 }
 
 /// Calls visit(block) with a block of every kind that moves: equal ones count once; of blocks that differ in height only, the shortest and
@@ -241,11 +276,13 @@ int compute_landing_halvings(const Model& model) {
     visit_kinds(model, [&](const Block& block) {
         // round bodies show the same face to all sides
         if (!model.shapes[block.shape].faceted) return;
-        for (Eigen::Index axis = 0; axis < 3; ++axis) lying = std::min(lying, block_limit(model, partners, block, axis));
-        const Vector3 half = half_extents(model, block);
+        const Shape& shape = model.shapes[block.shape];
+        for (Eigen::Index axis = 0; axis < (shape.solid != nullptr ? 1 : 3); ++axis) {
+            lying = std::min(lying, block_limit(model, partners, block, axis));
+        }
         double stiffness = partners.stiffest(block).normal_stiffness;
         if (model.ground.present) stiffness = std::max(stiffness, make_ground_interface(model, block).normal_stiffness);
-        const double largest_face = 4.0 * half.prod() / half.minCoeff();
+        const double largest_face = find_largest_face(model, block);
         squared_frequency = std::max(squared_frequency, stiffness * largest_face / block.mass);
     });
     const auto moving = std::count_if(model.blocks.begin(), model.blocks.end(), [](const Block& block) { return !block.fixed; });

@@ -28,6 +28,12 @@ double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& p
     return find_gap_of_faces(*follower, *leader, place);
 }
 
+/// Memory for the pair that a thread is cutting.
+detail::ExactRoom& room_of_thread() {
+    thread_local detail::ExactRoom room;
+    return room;
+}
+
 /// Solids of the bodies of a pair, the leader first.
 MeetingSolids solids_of(const Bodies& bodies, const ContactPair& pair) {
     return {bodies.solid[pair.leader], pair.follower == kGround ? nullptr : bodies.solid[pair.follower]};
@@ -145,7 +151,7 @@ void OverlapBatch::compute(Group& group, const Group& next) {
 }
 
 void OverlapBatch::compute_exactly(std::size_t index, detail::LanePair& lane) {
-    detail::compute_exact_pair(lane, solids_of(bodies_, list_.pairs[index]), base_.elapsed, list_.first_step, room_);
+    detail::compute_exact_pair(lane, solids_of(bodies_, list_.pairs[index]), base_.elapsed, list_.first_step, room_of_thread());
 }
 
 /// Books what a pair asks for and how deep it is.
@@ -157,7 +163,7 @@ void OverlapBatch::note(std::size_t index, double area) {
 void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
                          const std::function<void(std::size_t, const MeetingArea&)>& visit) {
     constexpr std::size_t kSize = detail::kLanePairs;
-    detail::ExactRoom room;
+    detail::ExactRoom& room = room_of_thread();
     std::array<std::size_t, kSize> index{};
     std::array<detail::BoxMeeting, kSize> meetings{};
     std::array<BodyPose, kSize> sheets;
@@ -210,11 +216,11 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
 double find_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t pair) {
     const PairTally& tally = list.tallies[pair];
     if (!tally.rough) return tally.elastic_normal;
-    OverlapPieces room;
+    detail::ExactRoom& room = room_of_thread();
     BodyPose sheet;
-    const PlacedPair placed(make_meeting(bodies, base, list.pairs[pair], sheet), solids_of(bodies, list.pairs[pair]));
-    room.cut(placed.a, placed.b);
-    return list.pairs[pair].law.normal_stiffness * compute_overlap_energy(placed.a, placed.b, room);
+    room.placed.place(make_meeting(bodies, base, list.pairs[pair], sheet), solids_of(bodies, list.pairs[pair]));
+    room.pieces.cut(room.placed.a, room.placed.b);
+    return list.pairs[pair].law.normal_stiffness * compute_overlap_energy(room.placed.a, room.placed.b, room.pieces);
 }
 
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {

@@ -59,7 +59,6 @@ class OverlapBatch {
     std::array<Group, 2> groups_;  ///< one of them is computed, and the memory of the other asked for meanwhile
     Group exact_;                  ///< a pair that is computed by itself
     detail::LaneOutput nowhere_;   ///< where what nobody asks for goes
-    detail::ExactRoom room_;       ///< of the pair that is being cut
 };
 
 /// Where friction and dashpots of a contact act, world axes and origin.

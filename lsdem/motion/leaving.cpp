@@ -1,7 +1,7 @@
 #include "lsdem/motion/leaving.hpp"
 
 #include "lsdem/contact/box_gap.hpp"
-#include "lsdem/solid/solid_gap.hpp"
+#include "lsdem/contact/face_gap.hpp"
 
 namespace musim::lsdem::detail {
 namespace {
@@ -30,7 +30,7 @@ bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& bas
         if (bodies.solid[i] == nullptr && bodies.solid[j] == nullptr) return false;
         const Solid own = bodies.solid[i] != nullptr ? *bodies.solid[i] : make_box_solid(2.0 * a.half);
         const Solid other = bodies.solid[j] != nullptr ? *bodies.solid[j] : make_box_solid(2.0 * b.half);
-        if (lsdem::find_gap(other, own, place) <= gap) return false;
+        if (find_gap_of_faces(other, own, place) <= gap) return false;
     }
     return true;
 }
