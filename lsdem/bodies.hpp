@@ -54,6 +54,12 @@ struct Bodies {
         return solid[i] == nullptr ? pose[i].rotation.row(2).cwiseAbs().dot(pose[i].half) : find_reach(i, -Vector3::UnitZ());
     }
 
+    /// Width of block i along a direction of unit length in its body frame [m].
+    double find_extent(std::size_t i, const Vector3& along) const {
+        if (solid[i] == nullptr) return 2.0 * along.cwiseAbs().dot(pose[i].half);
+        return lsdem::find_reach(*solid[i], along) + lsdem::find_reach(*solid[i], -along);
+    }
+
     /// Lets go of fixed block i: it takes pose, velocity and inertia from its entry in `model`, without spin.
     void release(std::size_t i, const Model& model);
 

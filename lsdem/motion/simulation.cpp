@@ -158,8 +158,8 @@ bool Simulation::has_fallen(std::size_t block) const {
     const Implementation& s = *implementation_;
     const double sunk =
         (s.bodies.start_position.at(block).z() - s.bodies.pose[block].position.z()) + (s.base.pose.displacement.z() - s.base.origin.z());
-    return lsdem::has_fallen(s.bodies.pose[block].half, s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.pose[block].rotation,
-                             sunk);
+    const Matrix3 start = s.bodies.start_orientation[block].toRotationMatrix();
+    return lsdem::has_fallen(s.bodies.find_extent(block, start.row(2)), start, s.bodies.pose[block].rotation, sunk);
 }
 
 }  // namespace musim::lsdem
