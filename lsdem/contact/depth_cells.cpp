@@ -9,14 +9,15 @@ namespace musim::lsdem::detail {
 void PolygonCutter::clip(const Affine& inside, bool with_border, Polygon& polygon) {
     const std::size_t before = polygon.size();
     at_.resize(before);
-    std::size_t within = 0;
-    const auto holds = [&](double value) { return with_border ? value >= 0.0 : value > 0.0; };
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t i = 0; i < before; ++i) {
         at_[i] = inside(polygon[i]);
-        within += holds(at_[i]) ? 1 : 0;
+        least = std::min(least, at_[i]);
+        most = std::max(most, at_[i]);
     }
-    if (within == before) return;
-    if (within == 0) return polygon.clear();
+    const auto holds = [&](double value) { return with_border ? value >= 0.0 : value > 0.0; };
+    if (holds(least)) return;
+    if (!holds(most)) return polygon.clear();
     std::swap(from_, polygon);
     polygon.clear();
     for (std::size_t i = 0; i < before; ++i) {
@@ -90,6 +91,27 @@ void DepthCells::find_candidates(const Polygon& polygon, const PlacedPiece& piec
         if (room.least[i] <= bound) room.candidates[kept++] = room.candidates[i];
     }
     room.candidates.resize(kept);
+}
+
+void DepthCells::cut_cell(const Polygon& polygon, const PlacedPiece& piece, std::uint32_t k, Level& room) {
+    Polygon& cell = room.cell;
+    cell = polygon;
+    const Affine own = depth_below(piece.nearest_plane(k));
+    const auto cut_by = [&](std::uint32_t other) {
+        if (other != k && !cell.empty()) cutter_.clip(difference(depth_below(piece.nearest_plane(other)), own), other > k, cell);
+    };
+    if (room.candidates.size() <= kFewPlanes) {
+        for (const std::uint32_t other : room.candidates) cut_by(other);
+        return;
+    }
+    // the first leaves little, far above which most others are
+    cut_by(room.candidates.front());
+    if (cell.empty()) return;
+    const Sphere sphere(cell);
+    const double reach = own(sphere.middle) + 2.0 * sphere.radius;
+    for (const std::uint32_t other : room.candidates) {
+        if (other != room.candidates.front() && piece.nearest_plane(other).depth(sphere.middle) <= reach) cut_by(other);
+    }
 }
 
 }  // namespace musim::lsdem::detail

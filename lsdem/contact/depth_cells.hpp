@@ -53,12 +53,7 @@ class DepthCells {
         Level& room = levels_[level];
         find_candidates(polygon, piece, whole, room);
         for (const std::uint32_t k : room.candidates) {
-            room.cell = polygon;
-            const Affine own = depth_below(piece.nearest_plane(k));
-            for (const std::uint32_t other : room.candidates) {
-                if (room.cell.empty()) break;
-                if (other != k) cutter_.clip(difference(depth_below(piece.nearest_plane(other)), own), other > k, room.cell);
-            }
+            cut_cell(polygon, piece, k, room);
             if (room.cell.size() >= 3) visit(k, room.cell);
         }
     }
@@ -76,6 +71,9 @@ class DepthCells {
     };
     /// Planes of a whole that may be the nearest somewhere, by bounds.
     static void find_candidates(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, Level& room);
+
+    /// The part of a polygon in which plane k is the nearest of the candidates.
+    void cut_cell(const Polygon& polygon, const PlacedPiece& piece, std::uint32_t k, Level& room);
 
     /// Of a cell in which a plane is the nearest of its whole, the part in which no whole from `next` on is deeper.
     template <class Visit>

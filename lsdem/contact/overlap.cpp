@@ -15,39 +15,52 @@ void OverlapPieces::Sides::find(const PlacedPiece& corners, const PlacedPiece& p
     words = (corners.corner_count + 63) / 64;
     outside.assign(words * planes.face_count, 0);
     all_outside = false;
-    for (std::size_t k = 0; k < planes.face_count; ++k) {
+    for (std::size_t k = 0; k < planes.face_count && !all_outside; ++k) {
+        const Vector3 normal = planes.normal[k];
+        const double offset = planes.offset[k];
+        std::uint64_t* const bits = &outside[k * words];
         std::size_t count = 0;
         for (std::size_t c = 0; c < corners.corner_count; ++c) {
-            const bool out = !(planes.depth(k, corners.corner[c]) > 0.0);
-            outside[k * words + c / 64] |= (out ? std::uint64_t{1} : std::uint64_t{0}) << (c % 64);
-            count += out ? 1 : 0;
+            const std::uint64_t out = offset - normal.dot(corners.corner[c]) > 0.0 ? 0 : 1;
+            bits[c / 64] |= out << (c % 64);
+            count += out;
         }
-        all_outside = all_outside || count == corners.corner_count;
+        // a half space has more than the corners of its sheet
+        all_outside = count == corners.corner_count && corners.face_count > 1;
     }
 }
 
-OverlapPieces::Sides::Share OverlapPieces::Sides::share(std::size_t plane, std::span<const std::uint32_t> loop) const {
-    bool any = false, all = true;
-    for (const std::uint32_t c : loop) {
-        const bool out = (outside[plane * words + c / 64] >> (c % 64) & 1U) != 0;
-        any = any || out, all = all && out;
+OverlapPieces::Sides::Share OverlapPieces::Sides::share(std::size_t plane, const Bits& of) const {
+    std::uint64_t any = 0, missing = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+        const std::uint64_t out = outside[plane * words + w] & of[w];
+        any |= out, missing |= out ^ of[w];
     }
-    return all ? Share::all : any ? Share::some : Share::none;
+    return missing == 0 ? Share::all : any != 0 ? Share::some : Share::none;
+}
+
+void OverlapPieces::collect(std::span<const std::uint32_t> loop, std::size_t words, Bits& bits) {
+    bits.assign(words, 0);
+    for (const std::uint32_t c : loop) bits[c / 64] |= std::uint64_t{1} << (c % 64);
 }
 
 void OverlapPieces::cut_face(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, const Sides& of_x, const Sides& of_y) {
     polygon_.clear();
     const auto loop = x.loop(f);
+    collect(loop, of_x.words, of_face_);
     // planes of y that all of the face is outside of, or that cut it
     cuts_.clear();
     for (std::size_t k = 0; k < y.face_count; ++k) {
-        const Sides::Share share = of_x.share(k, loop);
+        const Sides::Share share = of_x.share(k, of_face_);
         if (share == Sides::Share::all) return;
         if (share == Sides::Share::some) cuts_.push_back(k);
     }
     if (y.face_count > kFewFaces) {
         // the plane of the face cuts y along those faces of y that it passes through
-        const auto misses = [&](std::size_t k) { return of_y.share(f, y.loop(k)) != Sides::Share::some; };
+        const auto misses = [&](std::size_t k) {
+            collect(y.loop(k), of_y.words, of_other_);
+            return of_y.share(f, of_other_) != Sides::Share::some;
+        };
         cuts_.erase(std::remove_if(cuts_.begin(), cuts_.end(), misses), cuts_.end());
     }
     for (const std::uint32_t c : loop) polygon_.push_back(x.corner[c]);
@@ -71,25 +84,26 @@ void OverlapPieces::add_pieces(const PlacedPiece& x, std::size_t f, const Placed
     });
 }
 
+void OverlapPieces::cut(const PlacedPiece& x, const PlacedPiece& y, const Sides& of_x, const Sides& of_y, std::uint32_t body) {
+    for (std::size_t f = 0; f < x.face_count; ++f) {
+        if (!x.is_outer(f)) continue;
+        cut_face(x, f, y, of_x, of_y);
+        if (polygon_.size() >= 3) add_pieces(x, f, y, body);
+    }
+}
+
 void OverlapPieces::cut(const PlacedSolid& a, const PlacedSolid& b) {
     pieces_.clear();
     vertices_.clear();
     most_vertices_ = 0;
-    for (std::size_t body = 0; body < 2; ++body) {
-        const PlacedSolid &of = body == 0 ? a : b, &in = body == 0 ? b : a;
-        for (const PlacedPiece& x : of.pieces()) {
-            for (const PlacedPiece& y : in.pieces()) {
-                sides_[0].find(x, y);
-                if (sides_[0].all_outside) continue;
-                sides_[1].find(y, x);
-                // a half space has no corners but its sheet's
-                if (sides_[1].all_outside && y.face_count > 1) continue;
-                for (std::size_t f = 0; f < x.face_count; ++f) {
-                    if (!x.is_outer(f)) continue;
-                    cut_face(x, f, y, sides_[0], sides_[1]);
-                    if (polygon_.size() >= 3) add_pieces(x, f, y, static_cast<std::uint32_t>(body));
-                }
-            }
+    for (const PlacedPiece& x : a.pieces()) {
+        for (const PlacedPiece& y : b.pieces()) {
+            sides_[0].find(x, y);
+            if (sides_[0].all_outside) continue;
+            sides_[1].find(y, x);
+            if (sides_[1].all_outside) continue;
+            cut(x, y, sides_[0], sides_[1], 0);
+            cut(y, x, sides_[1], sides_[0], 1);
         }
     }
 }

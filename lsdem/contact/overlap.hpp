@@ -43,17 +43,21 @@ class OverlapPieces {
     std::size_t most_vertices() const { return most_vertices_; }
 
   private:
-    /// Which corners of one piece lie outside which planes of another: a bit each, `words` words a plane.
+    /// Corners of a piece, a bit each.
+    using Bits = std::vector<std::uint64_t>;
+    /// Which corners of one piece lie outside which planes of another.
     struct Sides {
         enum class Share { none, some, all };
-        std::vector<std::uint64_t> outside;
+        Bits outside;              ///< `words` words a plane
         std::size_t words = 0;
         bool all_outside = false;  ///< all corners lie outside one plane: the pieces are apart
 
         void find(const PlacedPiece& corners, const PlacedPiece& planes);
-        /// How many corners of a loop lie outside a plane.
-        Share share(std::size_t plane, std::span<const std::uint32_t> loop) const;
+        /// How many of the given corners lie outside a plane.
+        Share share(std::size_t plane, const Bits& of) const;
     };
+    static void collect(std::span<const std::uint32_t> loop, std::size_t words, Bits& bits);
+    void cut(const PlacedPiece& x, const PlacedPiece& y, const Sides& of_x, const Sides& of_y, std::uint32_t body);
     /// The part of face f of x inside y, as `polygon_`.
     void cut_face(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, const Sides& of_x, const Sides& of_y);
     void add_pieces(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, std::uint32_t body);
@@ -63,6 +67,7 @@ class OverlapPieces {
     std::size_t most_vertices_ = 0;
     // room for one face at a time
     std::array<Sides, 2> sides_;
+    Bits of_face_, of_other_;
     std::vector<std::size_t> cuts_;
     detail::Polygon polygon_;
     detail::PolygonCutter cutter_;
