@@ -4,68 +4,81 @@ import json
 import sys
 
 peers = [json.load(open(name)) for name in sys.argv[1:]]
-FIRST = 1 / 240
+STEPS = (1 / 240, 1 / 960, 1 / 3840)  # [s]
+EDGES = (1, 0.1, 0.02, 0.01)  # [m]
 
 
-def find(peer, what, edge, step):
+def find(peer, what, edge, step=0.0):
+    """The value of a row, or None. Small overlaps have their own in place of a step."""
     for row in peer["rows"]:
-        if row["what"] == what and row["edge"] == edge and abs(row["step"] - step) < 1e-3 * step + 1e-12:
+        if row.get("what") == what and row["edge"] == edge and abs(row["step"] - step) <= 1e-3 * step:
             return row["value"]
     return None
 
 
 def show(value):
+    """Three digits, or one beside a whole number."""
     if value is None:
         return ""
-    if abs(value) < 5e-7:
-        return "0"
-    if abs(value - round(value)) < 1e-6:
+    if abs(value - round(value)) < 1e-5 * max(1.0, abs(value)):
         return str(round(value))
-    return f"{value:.4f}".rstrip("0") if 0.0001 < abs(value) < 10 else f"{value:.3g}"
+    return f"{value:.3g}"
 
 
-def fell(peer, kind, edge, step):
-    height, shift = (find(peer, f"stack {what} {kind}", edge, step) for what in ("height", "shift"))
+def show_pile(peer, kind, edge, step):
+    """Height and way aside of the topmost, in thousandths of an edge."""
+    height, aside = (find(peer, f"stack {what} {kind}", edge, step) for what in ("height", "shift"))
     if height is None:
         return ""
-    if abs(height) > 1 or shift > 1:
-        return "thrown" if height > 1 else "fell"
-    return f"{height:+.4f}, {shift:.4f}"
+    if height > 1:
+        return "thrown"
+    return "fell" if height < -1 or aside > 1 else f"{show(round(1e3 * height, 1))}, {show(round(1e3 * aside, 1))}"
 
 
-def table(title, columns, cell):
-    lines = [[title] + [name for name, _ in columns]]
+def unit(edge):
+    return f"{edge:g} m" if edge >= 1 else f"{100 * edge:g} cm"
+
+
+def name(step):
+    return f"1/{round(1 / step)}"
+
+
+def table(columns):
+    """One row for each peer that has an answer; columns: title and function of the peer."""
+    lines = [[""] + [title for title, _ in columns]]
     for peer in peers:
-        cells = [cell(peer, *key) for _, key in columns]
+        cells = [cell(peer) for _, cell in columns]
         if any(cells):
             lines.append([f"{peer['peer']} {peer['version']}"] + cells)
-    print("\n".join("| " + " | ".join(line) + " |" + ("\n|" + "---|" * len(line) if k == 0 else "") for k, line in enumerate(lines)), "\n")
+    for k, line in enumerate(lines):
+        print("| " + " | ".join(line) + " |" + ("\n|" + "---|" * len(line) if k == 0 else ""))
+    print()
 
 
-def parts(title, whats, edges, step=0.0):
-    table(title, [(f"{name}, {edge * 100:g} cm", (what, edge)) for name, what in whats for edge in edges],
-          lambda peer, what, edge: show(find(peer, what, edge, step)))
+def value(what, edge, step=0.0):
+    return lambda peer: show(find(peer, what, edge, step))
 
 
-parts("mass", [("cube", "mass corners"), ("drum", "mass drum")], (1, 0.01))
-parts("inertia", [("cube", "inertia corners")], (1, 0.1, 0.02, 0.01))
-parts("inertia", [("drum", "inertia drum"), ("cube apart", "inertia corners apart")], (1, 0.01))
-parts("height", [("corners", "height corners")], (1, 0.1, 0.02, 0.01), FIRST)
-parts("points", [("corners", "points corners"), ("box", "points box")], (1, 0.01), FIRST)
-parts("points, no step", [("corners", "points corners"), ("box", "points box")], (1, 0.01))
+table([(f"{title}, {unit(edge)}", value(what, edge)) for title, what, edges in (
+    ("mass", "mass drum", (0.01,)), ("cube", "inertia corners", EDGES), ("drum", "inertia drum", (1, 0.01)),
+    ("apart", "inertia corners apart", (0.01,))) for edge in edges])
+table([(f"height, {unit(edge)}", value("height corners", edge, STEPS[0])) for edge in EDGES] +
+      [(f"points, {kind}", lambda peer, what=f"points {kind}": value(what, 0.1, STEPS[0])(peer) or value(what, 0.1)(peer))
+       for kind in ("corners", "box")])
 for kind in ("corners", "box"):
-    table(f"ten, {kind}", [(f"{edge * 100:g} cm, 1/{round(1 / step)} s", (kind, edge, step)) for edge in (1, 0.1, 0.01)
-                           for step in (FIRST, FIRST / 4)], fell)
-for restitution in ("1", "0.5"):
-    for kind in ("sphere", "box"):
-        table(f"rebound {kind} {restitution}",
-              [(f"{edge * 100:g} cm, 1/{round(1 / step)} s", (edge, step)) for edge in (1, 0.1, 0.01)
-               for step in (FIRST, FIRST / 4, FIRST / 16)],
-              lambda peer, edge, step: show(find(peer, f"rebound {kind} {restitution}", edge, step)))
+    table([(f"{kind}, {unit(edge)}, {name(step)}", lambda peer, edge=edge, step=step: show_pile(peer, kind, edge, step))
+           for edge in (1, 0.1, 0.01) for step in STEPS[:2]])
+for kind in ("box", "sphere"):
+    table([(f"{kind}, {restitution}, {name(step)}", value(f"rebound {kind} {restitution}", 0.1, step))
+           for restitution in (1, 0.5) for step in STEPS])
 for edge in (1, 0.1, 0.01):
-    table(f"cube of {edge * 100:g} cm, overlap", [(f"{name}, {part:g}", (what, part)) for name, what in
-                                                  (("EPA off", "normal off EPA"), ("MPR missed", "missed MPR"))
-                                                  for part in (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)],
-          lambda peer, what, part: show(find(peer, what, edge, part)))
-parts("manifold", [("flats", "flats drum"), ("volume over round", "mass round drum"), ("bodies", "bodies")], (1, 0.1, 0.01))
-parts("open mesh", [("mass", "mass open"), ("centre", "centre open")], (1, 0.01))
+    table([(f"{title}, {unit(edge)}, {part:g}", value(what, edge, part))
+           for title, what in (("EPA", "normal off EPA"), ("MPR", "missed MPR")) for part in (1e-3, 1e-4, 1e-5)])
+table([(f"{title}, {unit(edge)}", value(what, edge))
+       for title, what in (("flats", "flats drum"), ("volume", "mass round drum"), ("bodies", "bodies")) for edge in (1, 0.1, 0.01)])
+table([(f"{title}, {unit(edge)}", value(f"{title} open", edge)) for title in ("mass", "centre") for edge in (1, 0.01)])
+for peer in peers:
+    for row in peer["rows"]:
+        if "state" in row:
+            print(f"| {row['scene']}, {row['state']} | {row['blocks']} | {row['core_us_per_block_and_step']:.0f} | "
+                  f"{row['least']:.0f} to {row['most']:.0f} |")
