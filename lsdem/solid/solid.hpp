@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lsdem/types.hpp"
+#include "lsdem/solid/vectors.hpp"
 
 /// Solids bounded by planes, in the frame of a block: what contact, checks, statics and pictures know of a block's form.
 namespace musim::lsdem {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "lsdem/types.hpp"
+#include "lsdem/solid/vectors.hpp"
 
 namespace musim::lsdem::detail {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lsdem/solid/detail/hull_triangles.hpp"
-#include "lsdem/types.hpp"
+#include "lsdem/solid/vectors.hpp"
 
 namespace musim::lsdem::detail {
 

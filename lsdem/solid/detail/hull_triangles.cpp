@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "lsdem/contract.hpp"
 #include "lsdem/solid/detail/exact_sum.hpp"
 
 namespace musim::lsdem::detail {
@@ -136,7 +135,6 @@ class HullBuilder {
         const auto first = static_cast<std::uint32_t>(facets_.size()), count = static_cast<std::uint32_t>(horizon_.size());
         const auto index_of = [&](std::uint32_t from) {
             const auto edge = std::lower_bound(horizon_.begin(), horizon_.end(), HorizonEdge{from, 0, 0}, by_start);
-            ENSURES(edge != horizon_.end() && edge->from == from);
             return static_cast<std::uint32_t>(edge - horizon_.begin());
         };
         for (std::uint32_t k = 0; k < count; ++k) {
