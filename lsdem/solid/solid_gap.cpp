@@ -1,0 +1,97 @@
+#include "lsdem/solid/solid_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace musim::lsdem {
+namespace {
+
+/// Sine of the angle below which two edges count as parallel [-]. They separate what faces do not by less than this part of their lengths.
+constexpr double kParallelEdges = 1e-9;
+
+/// An edge, with the normals of the faces on its left and on its right seen from outside.
+struct Edge {
+    Vector3 from, along;
+    Vector3 left, right;
+};
+
+std::vector<Edge> collect_edges(const Polyhedron& body, const Placing& place) {
+    std::vector<Edge> edges;
+    for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
+        const Polyhedron::Face& face = body.faces[f];
+        for (std::uint32_t i = 0; i < face.count; ++i) {
+            const std::uint32_t other = body.neighbours[face.first + i];
+            if (other < f) continue;
+            const Vector3 &from = body.corners[body.loops[face.first + i]],
+                          &to = body.corners[body.loops[face.first + (i + 1) % face.count]];
+            edges.push_back({place * from, place.rotation * (to - from), place.rotation * face.plane.normal,
+                             place.rotation * body.faces[other].plane.normal});
+        }
+    }
+    return edges;
+}
+
+/// The widest gap along the normals of the faces of a body, from it to the corners of another one [m].
+double find_gap_along_faces(const Polyhedron& body, const std::vector<Vector3>& corners) {
+    double widest = -std::numeric_limits<double>::infinity();
+    for (const Polyhedron::Face& face : body.faces) {
+        double gap = std::numeric_limits<double>::infinity();
+        for (const Vector3& corner : corners) gap = std::min(gap, -face.plane.depth(corner));
+        widest = std::max(widest, gap);
+    }
+    return widest;
+}
+
+/// Does the plane along two edges touch both bodies there only? On the sphere of normals an edge is the arc between the normals of its
+/// faces. The arc of one and the opposite of the other's cross just when the edges make a face of the difference of the bodies
+/// [Gregorius13].
+bool makes_face(const Edge& a, const Edge& b) {
+    const double left_of_b = b.left.dot(a.along);
+    if (left_of_b * b.right.dot(a.along) >= 0.0) return false;
+    const double right_of_a = a.right.dot(b.along);
+    return right_of_a * a.left.dot(b.along) < 0.0 && left_of_b * right_of_a < 0.0;
+}
+
+double find_gap_across_edges(const std::vector<Edge>& edges_a, const std::vector<Edge>& edges_b) {
+    double widest = -std::numeric_limits<double>::infinity();
+    for (const Edge& a : edges_a) {
+        for (const Edge& b : edges_b) {
+            if (!makes_face(a, b)) continue;
+            Vector3 normal = a.along.cross(b.along);
+            const double length = normal.norm();
+            if (!(length > kParallelEdges * a.along.norm() * b.along.norm())) continue;
+            // outward of a
+            if (normal.dot(a.left + a.right) < 0.0) normal = -normal;
+            widest = std::max(widest, normal.dot(b.from - a.from) / length);
+        }
+    }
+    return widest;
+}
+
+std::vector<Vector3> place_corners(const Polyhedron& body, const Placing& place) {
+    std::vector<Vector3> corners;
+    for (const Vector3& corner : body.corners) corners.push_back(place * corner);
+    return corners;
+}
+
+}  // namespace
+
+double find_gap(const Polyhedron& a, const Polyhedron& b, const Placing& place) {
+    const double of_a = find_gap_along_faces(a, place_corners(b, place));
+    const double of_b = find_gap_along_faces(b, place_corners(a, place.inverse()));
+    return std::max({of_a, of_b, find_gap_across_edges(collect_edges(a, {}), collect_edges(b, place))});
+}
+
+double find_gap(const Solid& a, const Solid& b, const Placing& place) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Polyhedron& of_a : a.pieces) {
+        for (const Polyhedron& of_b : b.pieces) least = std::min(least, find_gap(of_a, of_b, place));
+    }
+    return least;
+}
+
+}  // namespace musim::lsdem
