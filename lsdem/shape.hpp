@@ -63,9 +63,9 @@ Shape make_box_shape(const Vector3& size, const NodeLattice& lattice);
 Shape make_grid_box_shape(const Vector3& size, const NodeLattice& lattice, double voxel);
 
 /// A solid bounded by planes, drawn in any frame. Its body frame has its origin in the centre of mass and its axes along the principal axes
-/// of inertia, see find_principal_axes. The base, A_face, is made of the face that looks most to the drawn frame's −z and those within 15° of
-/// it. `given`: centre of mass and inertia in the place of those of the homogeneous solid, in the
-/// drawn frame, and the volume that a density refers to. Throws std::invalid_argument of a solid without volume.
+/// of inertia, see find_principal_axes. The base, A_face, is made of the face that looks most to the drawn frame's −z and those within 15°
+/// of it. `given`: centre of mass and inertia in the place of those of the homogeneous solid, in the drawn frame, and the volume that a
+/// density refers to. Throws std::invalid_argument of a solid without volume.
 Shape make_solid_shape(const Solid& drawn, const std::optional<MassProperties>& given = {});
 
 /// Sphere of the given radius [m] as a grid level set, with `node_count` nodes spread evenly over its surface (Fibonacci lattice).

@@ -68,7 +68,8 @@ std::vector<AreaPoint> find_face_points(const Model& model, const Block& block, 
 }
 
 /// Points of a block pressed on a rigid plane across `normal`, body frame, through an interface.
-ModeMatrices press(const Model& model, const Block& block, const Interface& law, const Vector3& normal, const std::vector<AreaPoint>& points) {
+ModeMatrices press(const Model& model, const Block& block, const Interface& law, const Vector3& normal,
+                   const std::vector<AreaPoint>& points) {
     const double per_root_mass = 1.0 / std::sqrt(block.mass);
     const Vector3 per_root_inertia = block.rotation_locked
                                          ? Vector3(Vector3::Zero())

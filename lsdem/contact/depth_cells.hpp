@@ -41,7 +41,9 @@ class DepthCells {
     template <class Visit>
     void visit(const Polygon& polygon, const PlacedPiece& piece, const Visit& visit) {
         for (std::size_t whole = 0; whole < piece.whole_count(); ++whole) {
-            visit_nearest(polygon, piece, whole, 0, [&](std::uint32_t k, const Polygon& cell) { visit_deepest(piece, {whole, k}, 0, 1, cell, visit); });
+            visit_nearest(polygon, piece, whole, 0, [&](std::uint32_t k, const Polygon& cell) {
+                visit_deepest(piece, {whole, k}, 0, 1, cell, visit);
+            });
         }
     }
 

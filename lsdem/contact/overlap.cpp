@@ -12,7 +12,7 @@ constexpr std::size_t kFewFaces = 8;
 }  // namespace
 
 void OverlapPieces::Sides::find(const PlacedPiece& corners, const PlacedPiece& planes) {
-    words = (corners.corner_count + 63) / 64;
+    words = corners.form->words_a_face();
     outside.assign(words * planes.face_count, 0);
     all_outside = false;
     for (std::size_t k = 0; k < planes.face_count && !all_outside; ++k) {
@@ -30,37 +30,19 @@ void OverlapPieces::Sides::find(const PlacedPiece& corners, const PlacedPiece& p
     }
 }
 
-OverlapPieces::Sides::Share OverlapPieces::Sides::share(std::size_t plane, const Bits& of) const {
-    std::uint64_t any = 0, missing = 0;
-    for (std::size_t w = 0; w < words; ++w) {
-        const std::uint64_t out = outside[plane * words + w] & of[w];
-        any |= out, missing |= out ^ of[w];
-    }
-    return missing == 0 ? Share::all : any != 0 ? Share::some : Share::none;
-}
-
-void OverlapPieces::collect(std::span<const std::uint32_t> loop, std::size_t words, Bits& bits) {
-    bits.assign(words, 0);
-    for (const std::uint32_t c : loop) bits[c / 64] |= std::uint64_t{1} << (c % 64);
-}
-
 void OverlapPieces::cut_face(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, const Sides& of_x, const Sides& of_y) {
     polygon_.clear();
     const auto loop = x.loop(f);
-    collect(loop, of_x.words, of_face_);
     // planes of y that all of the face is outside of, or that cut it
     cuts_.clear();
     for (std::size_t k = 0; k < y.face_count; ++k) {
-        const Sides::Share share = of_x.share(k, of_face_);
+        const Sides::Share share = of_x.share(k, *x.form, f);
         if (share == Sides::Share::all) return;
         if (share == Sides::Share::some) cuts_.push_back(k);
     }
     if (y.face_count > kFewFaces) {
         // the plane of the face cuts y along those faces of y that it passes through
-        const auto misses = [&](std::size_t k) {
-            collect(y.loop(k), of_y.words, of_other_);
-            return of_y.share(f, of_other_) != Sides::Share::some;
-        };
+        const auto misses = [&](std::size_t k) { return of_y.share(f, *y.form, k) != Sides::Share::some; };
         cuts_.erase(std::remove_if(cuts_.begin(), cuts_.end(), misses), cuts_.end());
     }
     for (const std::uint32_t c : loop) polygon_.push_back(x.corner[c]);

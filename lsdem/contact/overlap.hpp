@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lsdem/contact/depth_cells.hpp"
@@ -43,20 +42,23 @@ class OverlapPieces {
     std::size_t most_vertices() const { return most_vertices_; }
 
   private:
-    /// Corners of a piece, a bit each.
-    using Bits = std::vector<std::uint64_t>;
     /// Which corners of one piece lie outside which planes of another.
     struct Sides {
         enum class Share { none, some, all };
-        Bits outside;              ///< `words` words a plane
+        std::vector<std::uint64_t> outside;  ///< corners, one bit each in `words` words a plane
         std::size_t words = 0;
         bool all_outside = false;  ///< all corners lie outside one plane: the pieces are apart
 
         void find(const PlacedPiece& corners, const PlacedPiece& planes);
-        /// How many of the given corners lie outside a plane.
-        Share share(std::size_t plane, const Bits& of) const;
+        /// How many of the corners of a face lie outside a plane.
+        Share share(std::size_t plane, const Polyhedron& form, std::size_t face) const {
+            const std::uint64_t* const out = &outside[plane * words];
+            const std::uint64_t* const of = &form.marks[face * words];
+            std::uint64_t any = 0, missing = 0;
+            for (std::size_t w = 0; w < words; ++w) any |= out[w] & of[w], missing |= ~out[w] & of[w];
+            return missing == 0 ? Share::all : any != 0 ? Share::some : Share::none;
+        }
     };
-    static void collect(std::span<const std::uint32_t> loop, std::size_t words, Bits& bits);
     void cut(const PlacedPiece& x, const PlacedPiece& y, const Sides& of_x, const Sides& of_y, std::uint32_t body);
     /// The part of face f of x inside y, as `polygon_`.
     void cut_face(const PlacedPiece& x, std::size_t f, const PlacedPiece& y, const Sides& of_x, const Sides& of_y);
@@ -67,7 +69,6 @@ class OverlapPieces {
     std::size_t most_vertices_ = 0;
     // room for one face at a time
     std::array<Sides, 2> sides_;
-    Bits of_face_, of_other_;
     std::vector<std::size_t> cuts_;
     detail::Polygon polygon_;
     detail::PolygonCutter cutter_;

@@ -16,8 +16,8 @@ using detail::PolygonCutter;
 /// Integrals over the borders of the cells into which the planes of a piece y cut what is inside another piece x.
 class CellBorders {
   public:
-    /// Sum over all sheets between two cells of y inside x [m⁴]: ∫ d² times |n_i − n_k|, where the depth takes the less deep of planes i, k;
-    /// less that, where it takes the deeper.
+    /// Sum over all sheets between two cells of y inside x [m⁴]: ∫ d² times |n_i − n_k|, where the depth takes the less deep of planes i,
+    /// k; less that, where it takes the deeper.
     double integrate_sheets(const PlacedPiece& x, const PlacedPiece& y) {
         double sum = 0.0;
         for (std::uint32_t i = 0; i < y.nearest_count(); ++i) {
@@ -26,8 +26,8 @@ class CellBorders {
         return sum;
     }
 
-    /// Sum over the faces of `of` that are no part of its solid's surface, inside `in`, of ∫ d² n·n_k [m⁴]: n outward, n_k of the plane of y
-    /// that decides on the depth there; y is one of both.
+    /// Sum over the faces of `of` that are no part of its solid's surface, inside `in`, of ∫ d² n·n_k [m⁴]: n outward, n_k of the plane of
+    /// y that decides on the depth there; y is one of both.
     double integrate_inner_faces(const PlacedPiece& of, const PlacedPiece& in, const PlacedPiece& y) {
         double sum = 0.0;
         for (std::size_t f = 0; f < of.face_count; ++f) {
@@ -93,8 +93,8 @@ class CellBorders {
     struct Bounding {
         bool only_i = false, only_k = false, both = false;
     };
-    /// ∫ d² over the part of a polygon of a sheet at which the depth changes from one of its planes to the other: positive where it takes the
-    /// less deep of them, negative where the deeper; wholes below `next` are done.
+    /// ∫ d² over the part of a polygon of a sheet at which the depth changes from one of its planes to the other: positive where it takes
+    /// the less deep of them, negative where the deeper; wholes below `next` are done.
     double integrate_switch(const PlacedPiece& y, const Sheet& sheet, std::size_t next, const Bounding& seen, const Polygon& polygon) {
         if (next == y.whole_count()) {
             if (seen.only_i && seen.only_k) return -integrate(polygon, sheet.normal, sheet.depth);

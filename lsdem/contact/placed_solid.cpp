@@ -45,6 +45,7 @@ const Polyhedron& sheet() {
     static const Polyhedron form{.corners = std::vector<Vector3>(4),
                                  .faces = {{.plane = {}, .first = 0, .count = 4}},
                                  .loops = {0, 1, 2, 3},
+                                 .marks = {0b1111},
                                  .neighbours = {0, 0, 0, 0},
                                  .wholes = {}};
     return form;

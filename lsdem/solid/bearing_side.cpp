@@ -57,9 +57,8 @@ BearingSide find_bearing_side(const Solid& solid, const Vector3& direction) {
 
 std::vector<BearingSide> find_bearing_sides(const Solid& solid) {
     std::vector<BearingSide> sides;
-    for_each_outer_face(solid, [&](const Polyhedron& /*piece*/, const Polyhedron::Face& face) {
-        sides.push_back(make_side(solid, face.plane.normal));
-    });
+    for_each_outer_face(
+        solid, [&](const Polyhedron& /*piece*/, const Polyhedron::Face& face) { sides.push_back(make_side(solid, face.plane.normal)); });
     return sides;
 }
 

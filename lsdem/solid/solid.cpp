@@ -46,6 +46,15 @@ void find_neighbours(Polyhedron& body) {
     }
 }
 
+/// Marks the corners of every face.
+void mark_corners(Polyhedron& body) {
+    const std::size_t words = body.words_a_face();
+    body.marks.assign(words * body.faces.size(), 0);
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        for (const std::uint32_t c : body.loop(body.faces[f])) body.marks[f * words + c / 64] |= std::uint64_t{1} << (c % 64);
+    }
+}
+
 /// The one convex part of a convex solid.
 void take_as_whole(Polyhedron& body) {
     std::vector<Plane> planes;
@@ -91,6 +100,7 @@ Polyhedron make_polyhedron(std::vector<Vector3> corners, const std::vector<std::
         body.loops.insert(body.loops.end(), loop.begin(), loop.end());
     }
     find_neighbours(body);
+    mark_corners(body);
     take_as_whole(body);
     return body;
 }

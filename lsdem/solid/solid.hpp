@@ -34,12 +34,14 @@ struct Polyhedron {
     std::vector<Vector3> corners;           ///< [m]
     std::vector<Face> faces;                ///< corners in one plane make one face
     std::vector<std::uint32_t> loops;       ///< into `corners`: those of all faces, one face behind the other
+    std::vector<std::uint64_t> marks;       ///< corners of all faces, one bit each in words_a_face() words a face
     std::vector<std::uint32_t> neighbours;  ///< beside `loops`: the face on the other side of the edge from that corner to the face's next
     /// Planes that a point of the piece can be nearest to: those of every largest convex part of the solid that holds the piece. The depth
     /// of a point of the piece is the largest, over these parts, of the least depth below their planes: continuous over all pieces. Of a
     /// convex solid the one part is the solid: the planes of its faces, in their order.
     std::vector<std::vector<Plane>> wholes;
 
+    std::size_t words_a_face() const { return (corners.size() + 63) / 64; }
     std::span<const std::uint32_t> loop(const Face& face) const { return std::span(loops).subspan(face.first, face.count); }
     bool operator==(const Polyhedron&) const = default;
 };
