@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -25,6 +26,9 @@ constexpr double kLevel = 0x1p-6;
 
 /// Parts of a load below this are rounding, by which the solver would scale rows [-].
 constexpr double kRounding = 1e-12;
+
+/// Weight of the heaviest loose block over that of the lightest [-]: from 1e8 on the solver's zero is no longer little to both.
+constexpr double kMostUneven = 1e6;
 
 constexpr int kMostIterations = 200000;
 
@@ -64,9 +68,11 @@ class Balance {
         for (std::size_t k = 0; k < blocks_.size(); ++k) row_[blocks_[k]] = 6 * k;
         for (std::size_t j = 0; j < joints.size(); ++j) {
             const RigidJoint& joint = joints[j];
-            const double unit = std::max(is_asked(joint.block) ? weight(joint.block) : 0.0,
-                                         joint.other && is_asked(*joint.other) ? weight(*joint.other) : 0.0);
-            if (unit == 0.0) continue;
+            // of the lighter one, so that what the solver takes for zero is little to it
+            double unit = std::numeric_limits<double>::infinity();
+            if (is_asked(joint.block)) unit = weight(joint.block);
+            if (joint.other && is_asked(*joint.other)) unit = std::min(unit, weight(*joint.other));
+            if (std::isinf(unit)) continue;
             for (const Vector3& direction : find_directions(joint, down(), friction)) {
                 for (const Vector3& corner : joint.corners) rays_.push_back({j, unit * direction, corner});
             }
@@ -191,7 +197,11 @@ std::string find_objection(const Model& model, const std::vector<std::size_t>& l
     if (!is_of_boxes(model)) return "there are blocks other than boxes";
     if (model.gravity.isZero(0.0)) return "there is no gravity";
     if (loose.empty()) return "all blocks are held in place";
-    return {};
+    const auto [lightest, heaviest] = std::minmax_element(
+        loose.begin(), loose.end(), [&](std::size_t l, std::size_t r) { return model.blocks[l].mass < model.blocks[r].mass; });
+    const double uneven = model.blocks[*heaviest].mass / model.blocks[*lightest].mass;
+    return uneven > kMostUneven ? fmt::format("its heaviest block weighs {:.2g} times its lightest, more than {:g}", uneven, kMostUneven)
+                                : "";
 }
 
 std::string find_objection(const std::vector<RigidJoint>& joints, std::size_t most) {

@@ -208,13 +208,15 @@ TEST_CASE("a block that cannot stand is called by its name") {
 
 TEST_CASE("rigid statics is the same at every scale and weight") {
     if (!has_linear_programs()) return;
-    for (const double length : {0.25, 1.0 / 25.0, 1e-3, 37.0}) {
+    const auto scaled = [](const Specimen& specimen, double length) {
+        return scale_specimen(specimen, musim::scaling::make_similitude("exact", {.length = length})).model;
+    };
+    for (const double length : {0.25, 1.0 / 25.0, 1.0 / 107.0, 1e-3, 37.0}) {
         CAPTURE(length);
         for (const double part : {0.99, 1.01}) {
             Specimen overhang = make_upright_specimen(make_listed(make_overhang(3, part)));
             const RigidStatics here = ask_rigid_statics(overhang.model);
-            const RigidStatics there =
-                ask_rigid_statics(scale_specimen(overhang, musim::scaling::make_similitude("exact", {.length = length})).model);
+            const RigidStatics there = ask_rigid_statics(scaled(overhang, length));
             CHECK(here.answer == there.answer);
             REQUIRE(here.needs.size() == there.needs.size());
             for (std::size_t k = 0; k < here.needs.size(); ++k) {
@@ -222,7 +224,36 @@ TEST_CASE("rigid statics is the same at every scale and weight") {
                 CHECK(there.needs[k].arm == doctest::Approx(length * here.needs[k].arm).epsilon(1e-6));
             }
         }
+        // a portal is statically indeterminate, and half of its equations say what the other half does
+        const Specimen portal =
+            make_upright_specimen(make_listed({make_block({0.1, 0.1, 0.3}, {0.0, 0.0, 0.15}), make_block({0.1, 0.1, 0.3}, {0.6, 0.0, 0.15}),
+                                               make_block({0.66, 0.1, 0.08}, {0.3, 0.0, 0.34})}));
+        CHECK(*find_steady_acceleration(scaled(portal, length), Vector3::UnitX()) ==
+              doctest::Approx(*find_steady_acceleration(portal.model, Vector3::UnitX())).epsilon(1e-9));
     }
+}
+
+TEST_CASE("rigid statics is as sure of light blocks beside heavy ones") {
+    if (!has_linear_programs()) return;
+    // two cubes, the lower or the upper one `part` as heavy as the other
+    const auto make_two = [](bool light_below, double part, double out) {
+        Model model = make_upright_specimen(make_listed(make_stack(2, out))).model;
+        model.blocks[light_below ? 0 : 1].mass *= part;
+        return model;
+    };
+    for (const double part : {1.0, 1e-3, 1e-6}) {
+        CAPTURE(part);
+        const double centre = (0.15 + 0.05 * part) / (1.0 + part);
+        CHECK(*find_steady_acceleration(make_two(true, part, 0.0), Vector3::UnitX()) == doctest::Approx(0.05 / centre));
+        CHECK(ask_rigid_statics(make_two(true, part, 0.049)).answer == Answer::can_stand);
+        CHECK(ask_rigid_statics(make_two(false, part, 0.049)).answer == Answer::can_stand);
+        const RigidStatics falls = ask_rigid_statics(make_two(false, part, 0.051));
+        REQUIRE(falls.needs.size() == 1);
+        CHECK(falls.needs[0].arm == doctest::Approx(0.001).epsilon(1e-4));
+    }
+    const RigidStatics beyond = ask_rigid_statics(make_two(true, 1e-7, 0.0));
+    CHECK(beyond.answer == Answer::not_asked);
+    CHECK(beyond.why == "its heaviest block weighs 1e+07 times its lightest, more than 1e+06");
 }
 
 TEST_CASE("a steady acceleration is that at which blocks slide or overturn") {
