@@ -43,9 +43,9 @@ def name(step):
     return f"1/{round(1 / step)}"
 
 
-def table(columns):
+def table(columns, corner=""):
     """One row for each peer that has an answer; columns: title and function of the peer."""
-    lines = [[""] + [title for title, _ in columns]]
+    lines = [[corner] + [title for title, _ in columns]]
     for peer in peers:
         cells = [cell(peer) for _, cell in columns]
         if any(cells):
@@ -66,11 +66,11 @@ table([(f"height, {unit(edge)}", value("height corners", edge, STEPS[0])) for ed
       [(f"points, {kind}", lambda peer, what=f"points {kind}": value(what, 0.1, STEPS[0])(peer) or value(what, 0.1)(peer))
        for kind in ("corners", "box")])
 for kind in ("corners", "box"):
-    table([(f"{kind}, {unit(edge)}, {name(step)}", lambda peer, edge=edge, step=step: show_pile(peer, kind, edge, step))
-           for edge in (1, 0.1, 0.01) for step in STEPS[:2]])
+    table([(f"{unit(edge)}, {name(step)}", lambda peer, edge=edge, step=step: show_pile(peer, kind, edge, step))
+           for edge in (1, 0.1, 0.01) for step in STEPS[:2]], kind)
 for kind in ("box", "sphere"):
-    table([(f"{kind}, {restitution}, {name(step)}", value(f"rebound {kind} {restitution}", 0.1, step))
-           for restitution in (1, 0.5) for step in STEPS])
+    table([(f"{restitution}, {name(step)}", value(f"rebound {kind} {restitution}", 0.1, step))
+           for restitution in (1, 0.5) for step in STEPS], kind)
 for edge in (1, 0.1, 0.01):
     table([(f"{title}, {unit(edge)}, {part:g}", value(what, edge, part))
            for title, what in (("EPA", "normal off EPA"), ("MPR", "missed MPR")) for part in (1e-3, 1e-4, 1e-5)])
