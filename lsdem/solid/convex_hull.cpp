@@ -13,15 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "lsdem/solid/detail/hull.hpp"
 #include "lsdem/solid/detail/hull_faces.hpp"
 #include "lsdem/solid/detail/hull_triangles.hpp"
 
 namespace musim::lsdem {
 namespace {
-
-[[noreturn]] void refuse_flat(std::size_t count) {
-    throw std::invalid_argument("convex hull: all " + std::to_string(count) + " points lie in one plane");
-}
 
 /// Points as multiples of 2⁻⁵⁰ of a power of two above their extent, from the first one on; all decisions are made with these.
 struct Grid {
@@ -29,15 +26,11 @@ struct Grid {
     double tolerance = 0.0;  ///< of planes and of equal points
 };
 
-Grid make_grid(std::span<const Vector3> points) {
+Grid make_grid(std::span<const Vector3> points, double tolerance) {
     Vector3 low = points.front(), high = low;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        if (!points[p].allFinite()) throw std::invalid_argument("convex hull: point " + std::to_string(p) + " is not finite");
-        low = low.cwiseMin(points[p]);
-        high = high.cwiseMax(points[p]);
-    }
+    for (const Vector3& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
     const double size = (high - low).maxCoeff();
-    if (!(size > 0.0)) refuse_flat(points.size());
+    if (!(size > 0.0)) return {};
     const int exponent = std::ilogb(size) + 1;
     constexpr int kBits = 50;
     Grid grid;
@@ -50,7 +43,7 @@ Grid make_grid(std::span<const Vector3> points) {
     // coordinates far from the origin are rounded to a part of themselves: a plane is known to some of these
     constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
     const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-    grid.tolerance = std::ldexp(std::max(kSamePlane * size, kRounding * farthest), -exponent);
+    grid.tolerance = std::ldexp(std::max({tolerance, kSamePlane * size, kRounding * farthest}), -exponent);
     return grid;
 }
 
@@ -102,19 +95,17 @@ void sort_faces(std::vector<std::vector<std::uint32_t>>& faces) {
 
 }  // namespace
 
-Polyhedron make_convex_hull(std::span<const Vector3> points) {
-    if (points.size() < 4) {
-        throw std::invalid_argument("convex hull: " + std::to_string(points.size()) + " points; four or more are needed");
-    }
-    if (points.size() > std::numeric_limits<std::uint32_t>::max() / 8) throw std::invalid_argument("convex hull: more than 5e8 points");
-    Grid grid = make_grid(points);
+std::optional<Polyhedron> detail::find_hull(std::span<const Vector3> points, double tolerance) {
+    if (points.size() < 4) return std::nullopt;
+    Grid grid = make_grid(points, tolerance);
+    if (grid.points.empty()) return std::nullopt;
     // numbers of the grid's points among those given
     std::vector<std::uint32_t> given(points.size());
     std::iota(given.begin(), given.end(), 0U);
     std::vector<detail::HullTriangle> triangles;
     while (true) {
         const auto first = detail::find_first_corners(grid.points, grid.tolerance);
-        if (!first) refuse_flat(points.size());
+        if (!first) return std::nullopt;
         triangles = detail::find_hull_triangles(grid.points, *first);
         const std::vector<std::uint32_t> used = find_used(triangles), kept = leave_out_doubles(grid, used);
         if (kept.size() == used.size()) break;
@@ -123,7 +114,7 @@ Polyhedron make_convex_hull(std::span<const Vector3> points) {
         keep(kept, given);
     }
     std::vector<std::vector<std::uint32_t>> faces = detail::join_hull_triangles(grid.points, triangles, grid.tolerance);
-    if (faces.size() < 4) refuse_flat(points.size());
+    if (faces.size() < 4) return std::nullopt;
     std::vector<bool> is_corner(grid.points.size(), false);
     for (const auto& loop : faces) {
         for (const std::uint32_t p : loop) is_corner[p] = true;
@@ -140,6 +131,19 @@ Polyhedron make_convex_hull(std::span<const Vector3> points) {
     }
     sort_faces(faces);
     return make_polyhedron(std::move(corners), faces);
+}
+
+Polyhedron make_convex_hull(std::span<const Vector3> points) {
+    if (points.size() < 4) {
+        throw std::invalid_argument("convex hull: " + std::to_string(points.size()) + " points; four or more are needed");
+    }
+    if (points.size() > std::numeric_limits<std::uint32_t>::max() / 8) throw std::invalid_argument("convex hull: more than 5e8 points");
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (!points[p].allFinite()) throw std::invalid_argument("convex hull: point " + std::to_string(p) + " is not finite");
+    }
+    std::optional<Polyhedron> hull = detail::find_hull(points, 0.0);
+    if (!hull) throw std::invalid_argument("convex hull: all " + std::to_string(points.size()) + " points lie in one plane");
+    return std::move(*hull);
 }
 
 }  // namespace musim::lsdem

@@ -11,7 +11,8 @@ namespace musim::lsdem {
 /// coordinate that is not finite, and of points in one plane.
 Polyhedron make_convex_hull(std::span<const Vector3> points);
 
-/// Points that lie off a plane by less than this part of the body's size lie in it [-]: far above the rounding of their places.
+/// Points that lie off a plane by less than this part of the body's size lie in it [-]: far above the rounding of their places, but for
+/// bodies a thousand sizes from the origin, where a few units in the last place of the coordinates take its place.
 inline constexpr double kSamePlane = 1e-12;
 
 }  // namespace musim::lsdem

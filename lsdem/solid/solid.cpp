@@ -137,8 +137,8 @@ Vector3 find_support(const Solid& solid, const Vector3& direction) {
 }
 
 Bounds find_bounds(const Solid& solid, const Placing& placing) {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    Bounds bounds{Vector3::Constant(kInfinite), Vector3::Constant(-kInfinite)};
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    Bounds bounds{Vector3::Constant(kNowhere), Vector3::Constant(-kNowhere)};
     for (const Polyhedron& piece : solid.pieces) {
         for (const Vector3& corner : piece.corners) {
             const Vector3 x = placing * corner;
