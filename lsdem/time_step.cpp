@@ -75,7 +75,8 @@ ModeMatrices press(const Model& model, const Block& block, const Interface& law,
                                          ? Vector3(Vector3::Zero())
                                          : Vector3((block.mass * inertia_over_mass(model, block)).cwiseSqrt().cwiseInverse());
     ModeMatrices sum;
-    for (const auto& [p, area] : points) {
+    for (const auto& [p, pressed_area] : points) {
+        const double area = pressed_area;
         // displacement of the point by unit translations and rotations
         Eigen::Matrix<double, 3, 6> b;
         b.leftCols<3>() = per_root_mass * Matrix3::Identity();
