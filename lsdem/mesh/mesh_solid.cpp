@@ -17,9 +17,9 @@
 namespace musim::lsdem {
 namespace {
 
-std::string name_part(const ClosedParts& mesh, std::size_t number) {
-    const std::string& name = mesh.parts[number].name;
-    return fmt::format("part {}{}", number + 1, name.empty() ? "" : fmt::format(" '{}'", scaling::shorten(name, scaling::kEchoed)));
+std::string name_part(const ClosedPart& part) {
+    return fmt::format("part {}{}", part.number,
+                       part.name.empty() ? "" : fmt::format(" '{}'", scaling::shorten(part.name, scaling::kEchoed)));
 }
 
 /// Numbers and names of the first parts of a file.
@@ -28,9 +28,9 @@ std::string list_parts(const ClosedParts& mesh) {
     std::string text;
     for (std::size_t p = 0; p < std::min(mesh.parts.size(), kListed); ++p) {
         if (p > 0) text += ", ";
-        text += name_part(mesh, p);
+        text += name_part(mesh.parts[p]);
     }
-    return mesh.parts.size() > kListed ? text + fmt::format(" ... {}", mesh.parts.size()) : text;
+    return mesh.parts.size() > kListed ? text + " ..." : text;
 }
 
 ClosedParts take_part(const ClosedParts& mesh, std::size_t number) {
@@ -64,7 +64,7 @@ double find_spacing(const ClosedPart& part) {
     detail::fail_mesh(
         mesh.file, 0,
         fmt::format("{} is not convex: at {} {} its surface lies {:.4g} {} below its convex hull (limit {:.2g} {}){}",
-                    name_part(mesh, number), detail::name_point(dent.place), unit.name, dent.depth, unit.name, limit, unit.name,
+                    name_part(mesh.parts[number]), detail::name_point(dent.place), unit.name, dent.depth, unit.name, limit, unit.name,
                     coarse ? fmt::format("; numbers of 32 bits have steps of {:.2g} {} so far from zero", spacing, unit.name) : ""),
         coarse ? "write it about an origin near it" : "divide it into convex parts, or take its hull");
 }
@@ -78,7 +78,7 @@ MeshSolid make_solid(const ClosedParts& mesh, std::size_t number, const Vector3&
     if (result.solid.faces.size() > limits.faces) {
         detail::fail_mesh(
             mesh.file, 0,
-            fmt::format("{} has a hull of {} faces (limit {})", name_part(mesh, number), result.solid.faces.size(), limits.faces),
+            fmt::format("{} has a hull of {} faces (limit {})", name_part(mesh.parts[number]), result.solid.faces.size(), limits.faces),
             "take a coarser mesh");
     }
 
@@ -94,7 +94,7 @@ MeshSolid make_solid(const ClosedParts& mesh, std::size_t number, const Vector3&
     if (std::abs(volume - whole) > 2.0 * limits.dent * part.area / (part.size * part.size)) {
         detail::fail_mesh(mesh.file, 0,
                           fmt::format("{} encloses {:.6g} of the volume of its convex hull, on which it lies: its faces cover one another",
-                                      name_part(mesh, number), volume / whole),
+                                      name_part(mesh.parts[number]), volume / whole),
                           "correct the mesh");
     }
     return result;
@@ -118,10 +118,10 @@ ClosedParts choose_part(const ClosedParts& mesh, std::string_view name) {
     }
     if (found.size() == 1) return take_part(mesh, found.front());
     if (!found.empty()) {
-        detail::fail_mesh(
-            mesh.file, 0,
-            fmt::format("has {} parts '{}', from part {} on", found.size(), scaling::shorten(name, scaling::kEchoed), found.front() + 1),
-            "choose by number");
+        detail::fail_mesh(mesh.file, 0,
+                          fmt::format("has {} parts '{}', from part {} on", found.size(), scaling::shorten(name, scaling::kEchoed),
+                                      mesh.parts[found.front()].number),
+                          "choose by number");
     }
     detail::fail_mesh(mesh.file, 0,
                       fmt::format("has no part '{}'{}: {}", scaling::shorten(name, scaling::kEchoed), scaling::hint_at_name(name, names),
@@ -130,7 +130,7 @@ ClosedParts choose_part(const ClosedParts& mesh, std::string_view name) {
 }
 
 ClosedParts choose_part(const ClosedParts& mesh, std::size_t number) {
-    if (number >= 1 && number <= mesh.parts.size()) return take_part(mesh, number - 1);
+    if (number < mesh.parts.size()) return take_part(mesh, number);
     detail::fail_mesh(mesh.file, 0, fmt::format("has no part {}: {}", number, list_parts(mesh)), "choose one of these");
 }
 

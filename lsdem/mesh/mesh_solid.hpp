@@ -35,7 +35,7 @@ struct MeshSolids {
 /// file's unit; for one whose faces cover one another (its volume is not that of its hull); and for one whose hull has too many faces.
 MeshSolids make_mesh_solids(const ClosedParts& mesh, const MeshUnit& unit, const MeshLimits& limits = {});
 
-/// The one part of this name, or of this number, from 1; the only part of a file without either. Throws MeshError, with numbers and names
+/// The one part of this name, or of this number, from 0; the only part of a file without either. Throws MeshError, with numbers and names
 /// of what the file has, where there is no such part or there are several.
 ClosedParts choose_part(const ClosedParts& mesh, std::string_view name);
 ClosedParts choose_part(const ClosedParts& mesh, std::size_t number);

@@ -113,7 +113,10 @@ ClosedParts split_mesh(const Mesh& mesh, const MeshLimits& limits) {
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     ClosedParts result{
         .file = mesh.file, .format = mesh.format, .single_precision = mesh.single_precision, .left_out = left_out, .parts = {}};
-    for (auto& part : found) result.parts.push_back(std::move(part.second));
+    for (auto& part : found) {
+        part.second.number = result.parts.size();
+        result.parts.push_back(std::move(part.second));
+    }
     return result;
 }
 

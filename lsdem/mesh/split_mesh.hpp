@@ -19,6 +19,7 @@ struct ClosedPart {
         std::uint32_t line = 0;    ///< of the file, from 1; 0 in a binary file
     };
 
+    std::size_t number = 0;            ///< in the file, from 0
     std::string name;                  ///< of its group; empty without one
     std::vector<Vector3> corners;      ///< in the file's unit and frame
     std::vector<std::uint32_t> loops;  ///< into `corners`

@@ -47,7 +47,7 @@ TEST_CASE("the scan of a boulder is refused with its deepest dent") {
     CHECK(mesh.left_out == 4);
     tests::check_mesh_refused(
         [&] { make_mesh_solids(mesh, {}); },
-        "SP1_mesh.obj: part 1 is not convex: at (-0.271075805, 0.045532194, -0.22011819) m its surface lies 0.04614 m below");
+        "SP1_mesh.obj: part 0 is not convex: at (-0.271075805, 0.045532194, -0.22011819) m its surface lies 0.04614 m below");
 }
 
 }  // namespace musim::lsdem

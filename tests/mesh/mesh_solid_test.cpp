@@ -118,7 +118,7 @@ TEST_CASE("a part that is not convex is refused with its deepest dent in the fil
     text += "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n";
     tests::check_mesh_refused(
         [&] { solids_of_obj(text, {.name = "mm", .metres = 1e-3}); },
-        "a.obj: part 1 is not convex: at (40, 60, 97) mm its surface lies 3 mm below its convex hull (limit 0.001 mm)");
+        "a.obj: part 0 is not convex: at (40, 60, 97) mm its surface lies 3 mm below its convex hull (limit 0.001 mm)");
     // an edge that lies deeper than its ends: a groove from side to side
     const std::string groove =
         "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 2\nv 4 0 2\nv 4 4 2\nv 0 4 2\nv 0 2 1.5\nv 4 2 1.5\n"
@@ -170,7 +170,7 @@ TEST_CASE("faces that cover one another are refused by their volume") {
     }
     for (int i = 0; i < 8; ++i) text += fmt::format("f 1 {0} {1}\nf 2 {1} {0}\n", 3 + i, 3 + (i + 1) % 8);
     tests::check_mesh_refused([&] { solids_of_obj(text); },
-                              "a.obj: part 1 encloses 2 of the volume of its convex hull, on which it lies: its faces cover one another");
+                              "a.obj: part 0 encloses 2 of the volume of its convex hull, on which it lies: its faces cover one another");
 }
 
 TEST_CASE("numbers of 32 bits far from zero are named as the reason of a dent") {
@@ -188,23 +188,23 @@ TEST_CASE("a hull of too many faces is refused with their number") {
     MeshLimits few;
     few.faces = 101;
     tests::check_mesh_refused([&] { make_mesh_solids(split_stl(bytes), kMetre, few); },
-                              "a.stl: part 1 'block' has a hull of 102 faces (limit 101)");
+                              "a.stl: part 0 'block' has a hull of 102 faces (limit 101)");
 }
 
 TEST_CASE("a part is chosen by number or name, and what else there is is listed") {
     const ClosedParts mesh = split_mesh(
         parse_obj("g left\n" + tests::write_cube_obj({0, 0, 0}, 1) + "g right\n" + tests::write_cube_obj({1, 0, 0}, 9), "a.obj"));
-    CHECK(choose_part(mesh, 2).parts[0].name == "right");
+    CHECK(choose_part(mesh, 1).parts[0].name == "right");
     CHECK(choose_part(mesh, "left").parts[0].corners == mesh.parts[0].corners);
     tests::check_mesh_refused([&] { choose_part(mesh); },
-                              "a.obj: has 2 closed parts: part 1 'left', part 2 'right'; choose one by number or name");
-    tests::check_mesh_refused([&] { choose_part(mesh, 0); }, "a.obj: has no part 0: part 1 'left', part 2 'right'");
+                              "a.obj: has 2 closed parts: part 0 'left', part 1 'right'; choose one by number or name");
+    tests::check_mesh_refused([&] { choose_part(mesh, 2); }, "a.obj: has no part 2: part 0 'left', part 1 'right'");
     tests::check_mesh_refused([&] { choose_part(mesh, 3); }, "a.obj: has no part 3");
-    tests::check_mesh_refused([&] { choose_part(mesh, "rigth"); }, "a.obj: has no part 'rigth' (did you mean \"right\"?): part 1 'left'");
+    tests::check_mesh_refused([&] { choose_part(mesh, "rigth"); }, "a.obj: has no part 'rigth' (did you mean \"right\"?): part 0 'left'");
     const ClosedParts same =
         split_mesh(parse_obj("g a\n" + tests::write_cube_obj({0, 0, 0}, 1) + tests::write_cube_obj({4, 0, 0}, 9), "a.obj"));
-    tests::check_mesh_refused([&] { choose_part(same, "a"); }, "a.obj: has 2 parts 'a', from part 1 on; choose by number");
-    CHECK(choose_part(choose_part(same, 2)).parts.size() == 1);
+    tests::check_mesh_refused([&] { choose_part(same, "a"); }, "a.obj: has 2 parts 'a', from part 0 on; choose by number");
+    CHECK(choose_part(choose_part(same, 1)).parts[0].number == 1);
 }
 
 TEST_CASE("a mesh at a power of four in length gives the same bits") {
