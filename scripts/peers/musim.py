@@ -41,7 +41,7 @@ def run(kind, edge, blocks, duration, restitution=0.3, safety=0.8, rate=0):
     pathlib.Path("scene.json").write_text(json.dumps(scene))
     folder = pathlib.Path("result")
     subprocess.run(["rm", "-rf", folder], check=True)
-    subprocess.run([PROGRAM, "run", "scene.json", "-o", folder, "--threads", "1"], check=True, capture_output=True)
+    subprocess.run([PROGRAM, "run", "scene.json", "-o", folder, "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
     return folder
 
 
