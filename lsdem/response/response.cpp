@@ -63,9 +63,9 @@ SpeedScales find_scales(const StoredRun& run, int axis) {
     for (const auto& g : scene.gravity) scales.gravity = std::hypot(scales.gravity, g.value());
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t b = 0; b < run.blocks.size.size(); ++b) {
-        const double half = 0.5 * (run.initial.orientation[b].toRotationMatrix().cwiseAbs() * run.blocks.size[b]).z();
-        low = std::min(low, run.initial.position[b].z() - half);
-        high = std::max(high, run.initial.position[b].z() + half);
+        const BlockReach reach = run.blocks.find_reach(b, run.initial.orientation[b]);
+        low = std::min(low, run.initial.position[b].z() - reach.below.z());
+        high = std::max(high, run.initial.position[b].z() + reach.above.z());
     }
     scales.height = high - low;
     if (run.spine.size() > 0) {

@@ -17,19 +17,22 @@ namespace {
 /// differ in height by some hundredths.
 constexpr double kJointGap = 0.1;
 
-/// A block at the start: its extent along the world axes.
+/// A block at the start: its centre of mass and how far it reaches from there along the world's axes.
 struct Standing {
-    Vector3 center, extent;
+    Vector3 center;
+    BlockReach reach;
 
-    double top() const { return center.z() + 0.5 * extent.z(); }
-    double bottom() const { return center.z() - 0.5 * extent.z(); }
+    Vector3 extent() const { return reach.extent(); }
+    double low(int axis) const { return center[axis] - reach.below[axis]; }
+    double high(int axis) const { return center[axis] + reach.above[axis]; }
+    double top() const { return high(2); }
+    double bottom() const { return low(2); }
 };
 
 std::vector<Standing> find_standing(const RunData& run) {
     std::vector<Standing> standing;
     for (std::size_t b = 0; b < run.blocks.size.size(); ++b) {
-        const Matrix3 turn = run.initial.orientation[b].toRotationMatrix().cwiseAbs();
-        standing.push_back({run.initial.position[b], turn * run.blocks.size[b]});
+        standing.push_back({run.initial.position[b], run.blocks.find_reach(b, run.initial.orientation[b])});
     }
     return standing;
 }
@@ -43,10 +46,9 @@ Vector3 carry(const RunData& run, std::size_t block, const Vector3& point) {
 /// The middle of the part of two faces that lies on both; nothing when they do not meet.
 bool find_meeting(const Standing& upper, const Standing& lower, Vector3& middle) {
     for (int axis = 0; axis < 2; ++axis) {
-        const double low = std::max(upper.center[axis] - 0.5 * upper.extent[axis], lower.center[axis] - 0.5 * lower.extent[axis]);
-        const double high = std::min(upper.center[axis] + 0.5 * upper.extent[axis], lower.center[axis] + 0.5 * lower.extent[axis]);
+        const double low = std::max(upper.low(axis), lower.low(axis)), high = std::min(upper.high(axis), lower.high(axis));
         // an edge that only touches carries nothing
-        if (high - low < kJointGap * std::min(upper.extent[axis], lower.extent[axis])) return false;
+        if (high - low < kJointGap * std::min(upper.extent()[axis], lower.extent()[axis])) return false;
         middle[axis] = 0.5 * (low + high);
     }
     middle.z() = 0.5 * (upper.bottom() + lower.top());
@@ -63,7 +65,7 @@ std::vector<Joint> find_joints(const RunData& run, const std::vector<Standing>& 
     std::vector<Joint> joints;
     for (std::size_t upper = 0; upper < standing.size(); ++upper) {
         const Standing& block = standing[upper];
-        const double gap = kJointGap * block.extent.z();
+        const double gap = kJointGap * block.extent().z();
         auto at = std::lower_bound(tops.begin(), tops.end(), std::pair(block.bottom() - gap, std::size_t{0}));
         const std::size_t before = joints.size();
         for (; at != tops.end() && at->first <= block.bottom() + gap; ++at) {
@@ -161,10 +163,11 @@ Damage assess_damage(const RunData& run) {
         const Vector3 moved = run.final.position[b] - run.initial.position[b] - base;
         const Eigen::AngleAxisd rotation(run.final.orientation[b] * run.initial.orientation[b].conjugate());
         const bool fallen = run.fell_before(b) || (!run.falls.is_airborne(b) &&
-                                                   has_fallen(0.5 * run.blocks.size[b], run.initial.orientation[b].toRotationMatrix(),
+                                                   has_fallen(standing[b].extent().z(), run.initial.orientation[b].toRotationMatrix(),
                                                               run.final.orientation[b].toRotationMatrix(), -moved.z()));
-        const double side = std::min(standing[b].extent.x(), standing[b].extent.y());
-        const double corner = 0.5 * std::hypot(standing[b].extent.x(), standing[b].extent.y()) * rotation.angle();
+        const Vector3 extent = standing[b].extent();
+        const double side = std::min(extent.x(), extent.y());
+        const double corner = 0.5 * std::hypot(extent.x(), extent.y()) * rotation.angle();
         const double index = fallen ? 1.0 : std::min(1.0, (slip[b].spread().mean + corner) / side);
 
         damage.each.push_back({fallen, rotation.angle()});

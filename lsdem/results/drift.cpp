@@ -13,22 +13,25 @@ constexpr double kLeastRise = 0.25;
 /// Least overlap of plans, as a part of the shorter of two blocks: blocks beside each other touch.
 constexpr double kLeastRoom = 0.01;
 
-/// A block of the spine at the start, with half its extent along the world's axes.
+/// A block of the spine at the start, with how far it reaches along the world's axes.
 struct SpineBox {
-    Vector3 center, reach;
+    Vector3 center;
+    BlockReach reach;
+
+    double bottom() const { return center.z() - reach.below.z(); }
 };
 
 SpineBox find_box(const RunData& run, std::size_t s) {
     const std::size_t block = run.spine.block[s];
-    const Matrix3 turn = run.initial.orientation[block].toRotationMatrix().cwiseAbs();
-    return {run.history.spine_position[s], 0.5 * (turn * run.blocks.size[block])};
+    return {run.history.spine_position[s], run.blocks.find_reach(block, run.initial.orientation[block])};
 }
 
 bool lies_under(const SpineBox& lower, const SpineBox& upper) {
-    const Vector3 apart = (upper.center - lower.center).cwiseAbs();
-    const Vector3 room = upper.reach + lower.reach - apart, least_room = kLeastRoom * 2.0 * upper.reach.cwiseMin(lower.reach);
+    const Vector3 apart = upper.center - lower.center, extent = upper.reach.extent().cwiseMin(lower.reach.extent());
+    const Vector3 room = (upper.reach.above + lower.reach.below + apart).cwiseMin(lower.reach.above + upper.reach.below - apart);
+    const Vector3 least_room = kLeastRoom * extent;
     const bool overlaps = room.x() > least_room.x() && room.y() > least_room.y();
-    const double least = kLeastRise * 2.0 * std::min(upper.reach.z(), lower.reach.z());
+    const double least = kLeastRise * extent.z();
     return overlaps && upper.center.z() - lower.center.z() >= least;
 }
 
@@ -37,7 +40,7 @@ std::vector<DriftPair> pair_listed(const RunData& run, const std::vector<std::si
     double underside = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < run.spine.size(); ++s) {
         boxes.push_back(find_box(run, s));
-        underside = std::min(underside, boxes[s].center.z() - boxes[s].reach.z());
+        underside = std::min(underside, boxes[s].bottom());
     }
     std::vector<DriftPair> pairs;
     for (auto upper = order.begin(); upper != order.end(); ++upper) {
@@ -60,7 +63,10 @@ std::vector<DriftPair> find_drift_pairs(const RunData& run) {
     if (order.empty() || run.blocks.is_listed()) return pair_listed(run, order);
     const std::vector<Vector3>& start = run.history.spine_position;
     // the base ends where the lowest block begins
-    const double base = start[order.front()].z() - 0.5 * run.blocks.size[run.spine.block[order.front()]].z();
+    const std::size_t lowest = run.spine.block[order.front()];
+    const bool is_solid = run.blocks.find_solid(lowest) != nullptr;
+    const double below = is_solid ? find_box(run, order.front()).reach.below.z() : 0.5 * run.blocks.size[lowest].z();
+    const double base = start[order.front()].z() - below;
     std::vector<DriftPair> pairs;
     for (std::size_t k = 0; k < order.size(); ++k) {
         DriftPair pair{.upper = order[k], .lower = {}, .rise = start[order[k]].z() - (k > 0 ? start[order[k - 1]].z() : base)};

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lsdem/block_reach.hpp"
 #include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/base_change.hpp"
 #include "lsdem/results/rest.hpp"
@@ -63,12 +65,22 @@ struct StageOrigin {
 
 /// Table of the blocks, for results on disk.
 struct BlockTable {
-    std::vector<Vector3> size;  ///< edge lengths of the bounding box in the body frame [m]
+    std::vector<Vector3> size;  ///< edge lengths of the smallest box about the body's origin and axes that holds it [m]
     std::vector<double> mass;   ///< [kg]
     std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
     /// Names of listed blocks, empty for those without one; no entries for blocks of columns, towers and walls.
     std::vector<std::string> name = {};
+    std::vector<std::shared_ptr<const Solid>> solids = {};  ///< of blocks that are neither boxes nor spheres, each once, body frame [m]
+    std::vector<int> solid = {};                            ///< of every block: index into `solids`, -1 of a box or sphere; empty: all are
 
+    /// Solid of a block; none of a box or a sphere.
+    const Solid* find_solid(std::size_t block) const {
+        return block < solid.size() && solid[block] >= 0 ? solids[static_cast<std::size_t>(solid[block])].get() : nullptr;
+    }
+    /// How far a block reaches in an orientation, body to world.
+    BlockReach find_reach(std::size_t block, const Quaternion& orientation) const {
+        return find_block_reach(find_solid(block), 0.5 * size[block], orientation.toRotationMatrix());
+    }
     bool is_listed() const { return !name.empty(); }
     /// "lintel", or "block 3" for a block without a name.
     std::string label(std::size_t block) const;

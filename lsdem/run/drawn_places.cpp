@@ -69,7 +69,8 @@ std::vector<int> find_airborne(const Specimen& specimen, const std::vector<std::
 
 std::vector<BoxPose> find_boxes(const Model& model) {
     std::vector<BoxPose> boxes;
-    for (const Block& block : model.blocks) boxes.push_back({2.0 * half_extents(model, block), block.position, block.orientation});
+    for (const Block& block : model.blocks)
+        boxes.push_back({2.0 * half_extents(model, block), block.position, block.orientation, model.shapes[block.shape].solid});
     return boxes;
 }
 
@@ -93,9 +94,9 @@ std::vector<MovedBlock> find_fallen(const Specimen& specimen, const Kinematics& 
         // what is listed with a velocity is meant to leave its place
         const bool is_pushed = !velocity[b].isZero(0.0) || !model.blocks[b].angular_velocity.isZero(0.0);
         if (is_pushed) left = turn = 0.0;
-        const bool stands =
-            left <= kLeftPlace * drawn[b].size.minCoeff() && turn <= kLeftTurn &&
-            !has_fallen(0.5 * drawn[b].size, drawn[b].orientation.toRotationMatrix(), now.orientation[b].toRotationMatrix(), sunk);
+        const bool stands = left <= kLeftPlace * drawn[b].size.minCoeff() && turn <= kLeftTurn &&
+                            !has_fallen(drawn[b].reach().extent().z(), drawn[b].orientation.toRotationMatrix(),
+                                        now.orientation[b].toRotationMatrix(), sunk);
         if (stands) continue;
         const double turned = now.orientation[b].angularDistance(drawn[b].orientation);
         fallen.push_back({.block = b, .drawn = drawn[b].position, .now = now.position[b], .turned = turned});

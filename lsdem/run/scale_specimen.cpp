@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -48,6 +49,8 @@ class Scaler {
         scale<scaling::Length>(shape.node_spacing, shape.half_extents);
         scale<scaling::Area>(shape.face_area, shape.inertia_over_mass);
         scale<scaling::Volume>(shape.volume);
+        scale<scaling::Length>(shape.own.position);
+        if (shape.solid) shape.solid = std::make_shared<const Solid>(stretched(*shape.solid, Vector3::Constant(similitude_.length())));
     }
 
     void scale_parts(Material& material) const { scale<scaling::StiffnessPerArea>(material.normal_stiffness, material.shear_stiffness); }
@@ -110,7 +113,11 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
     const Scaler scaler(similitude);
     Specimen image = specimen;
     scaler.scale_parts(image.model);
-    for (BoxPose& box : image.drawn) scaler.scale<scaling::Length>(box.size, box.position);
+    for (std::size_t b = 0; b < image.drawn.size(); ++b) {
+        BoxPose& box = image.drawn[b];
+        scaler.scale<scaling::Length>(box.size, box.position);
+        box.solid = image.model.shapes[image.model.blocks[b].shape].solid;
+    }
     if (image.settling) scaler.scale<scaling::Frequency>(image.settling->damping_rate);
     return image;
 }

@@ -59,7 +59,8 @@ bool has_fallen_now(const RunResult& run, const Simulation& simulation, std::siz
     const Quaternion& start = run.origin ? run.origin->orientation[b] : run.initial.orientation[b];
     const double risen = base + (run.origin ? run.origin->base.z() : 0.0);
     const double sunk = (run.standing_position()[b].z() - simulation.position(b).z()) + risen;
-    return has_fallen(0.5 * run.blocks.size[b], start.toRotationMatrix(), simulation.orientation(b).toRotationMatrix(), sunk);
+    const double height = run.blocks.find_reach(b, start).extent().z();
+    return has_fallen(height, start.toRotationMatrix(), simulation.orientation(b).toRotationMatrix(), sunk);
 }
 
 void add_sample(RunResult& run, const Simulation& simulation) {
@@ -176,10 +177,17 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
 }  // namespace
 
 BlockTable make_block_table(const Specimen& specimen) {
+    const Model& model = specimen.model;
     BlockTable table;
-    for (const Block& block : specimen.model.blocks) {
-        table.size.emplace_back(2.0 * half_extents(specimen.model, block));
+    std::vector<int> solid_of_shape;
+    for (const Shape& shape : model.shapes) {
+        solid_of_shape.push_back(shape.solid ? static_cast<int>(table.solids.size()) : -1);
+        if (shape.solid) table.solids.push_back(shape.solid);
+    }
+    for (const Block& block : model.blocks) {
+        table.size.emplace_back(2.0 * half_extents(model, block));
         table.mass.push_back(block.mass);
+        if (!table.solids.empty()) table.solid.push_back(solid_of_shape[block.shape]);
     }
     table.layer = specimen.level.empty() ? specimen.layer : specimen.level;
     table.layer.resize(table.mass.size(), 0);

@@ -1,17 +1,24 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "lsdem/block_reach.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
 
-/// A box: edge lengths in the body frame [m], middle and axes in the world frame.
+/// A box: edge lengths in the body frame [m], middle and axes in the world frame. Of a block that is a solid the box about its body frame
+/// that holds it.
 struct BoxPose {
     Vector3 size = Vector3::Zero();
     Vector3 position = Vector3::Zero();
     Quaternion orientation = Quaternion::Identity();
+    std::shared_ptr<const Solid> solid = {};  ///< in the body frame; nothing: it is a box
+
+    /// How far it reaches from its position along the world's axes.
+    BlockReach reach() const { return find_block_reach(solid.get(), 0.5 * size, orientation.toRotationMatrix()); }
 };
 
 /// Points of the top faces of `below` that a box let down upright over `box` meets, in the frame of its footprint: u, v from the middle of
