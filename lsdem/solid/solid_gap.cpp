@@ -72,6 +72,41 @@ double find_gap_across_edges(const std::vector<Edge>& edges_a, const std::vector
     return widest;
 }
 
+/// The largest, over the convex parts that hold a piece, of the least depth of a point below their planes [m].
+double find_depth(const Polyhedron& piece, const Vector3& x) {
+    double depth = -std::numeric_limits<double>::infinity();
+    for (const std::vector<Plane>& whole : piece.wholes) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Plane& plane : whole) least = std::min(least, plane.depth(x));
+        depth = std::max(depth, least);
+    }
+    return depth;
+}
+
+/// Distance of a point above a face from it [m].
+double find_distance(const Polyhedron& body, const Polyhedron::Face& face, const Vector3& x) {
+    const auto loop = body.loop(face);
+    double squared = std::numeric_limits<double>::infinity();
+    bool is_above = true;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vector3& from = body.corners[loop[i]];
+        const Vector3 along = body.corners[loop[(i + 1) % loop.size()]] - from, there = x - from;
+        is_above = is_above && along.cross(there).dot(face.plane.normal) >= 0.0;
+        const double share = std::clamp(along.dot(there) / along.squaredNorm(), 0.0, 1.0);
+        squared = std::min(squared, (there - share * along).squaredNorm());
+    }
+    return is_above ? -face.plane.depth(x) : std::sqrt(squared);
+}
+
+/// Distance of a point from a convex polyhedron; negative inside [m].
+double find_gap_to_point(const Polyhedron& piece, const Vector3& x) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Polyhedron::Face& face : piece.faces) {
+        if (face.plane.depth(x) < 0.0) nearest = std::min(nearest, find_distance(piece, face, x));
+    }
+    return std::isfinite(nearest) ? nearest : -find_depth(piece, x);
+}
+
 std::vector<Vector3> place_corners(const Polyhedron& body, const Placing& place) {
     std::vector<Vector3> corners;
     for (const Vector3& corner : body.corners) corners.push_back(place * corner);
@@ -91,6 +126,12 @@ double find_gap(const Solid& a, const Solid& b, const Placing& place) {
     for (const Polyhedron& of_a : a.pieces) {
         for (const Polyhedron& of_b : b.pieces) least = std::min(least, find_gap(of_a, of_b, place));
     }
+    return least;
+}
+
+double find_gap(const Solid& solid, const Vector3& x) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Polyhedron& piece : solid.pieces) least = std::min(least, find_gap_to_point(piece, x));
     return least;
 }
 

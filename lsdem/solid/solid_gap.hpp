@@ -12,4 +12,7 @@ double find_gap(const Polyhedron& a, const Polyhedron& b, const Placing& place);
 /// The same for solids of several pieces: the least over pairs of pieces.
 double find_gap(const Solid& a, const Solid& b, const Placing& place);
 
+/// Distance of a point from a solid, in its frame; negative inside: the depth below its faces, see Polyhedron::wholes [m].
+double find_gap(const Solid& solid, const Vector3& x);
+
 }  // namespace musim::lsdem

@@ -141,6 +141,26 @@ TEST_CASE("the gap is the same seen from either body, and at powers of four in l
     }
 }
 
+TEST_CASE("a point is as far from a solid as the nearest face, edge or corner, or as deep as below the nearest face") {
+    const Solid box = make_box_solid({2.0, 4.0, 6.0});
+    CHECK(find_gap(box, Vector3(0.5, 1.0, 5.0)) == relative(2.0, 1e-15));
+    CHECK(find_gap(box, Vector3(4.0, 6.0, 1.0)) == relative(5.0, 1e-15));
+    CHECK(find_gap(box, Vector3(2.0, 4.0, -5.0)) == relative(3.0, 1e-15));
+    CHECK(find_gap(box, Vector3(0.5, 1.9, 2.0)) == relative(-0.1, 1e-14));
+    CHECK(find_gap(box, Vector3(1.0, 1.0, 1.0)) == 0.0);
+    // no less than to a small box about the point, along planes; and no steeper than distance
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 100; ++i) {
+        const Solid hull{{draw_hull(random, 20)}};
+        const Vector3 x = 1.5 * draw_vector(random);
+        const double gap = find_gap(hull, x);
+        const Vector3 nearer = x + 1e-6 * draw_vector(random).normalized();
+        CHECK(std::abs(find_gap(hull, nearer) - gap) <= 1e-6 * (1.0 + 1e-9));
+        CHECK(gap >= find_gap(hull, make_box_solid(Vector3::Constant(1e-9)), {Matrix3::Identity(), x}) - 1e-8);
+        CHECK((gap <= 0.0) == contains(hull, x));
+    }
+}
+
 TEST_CASE("the gap of solids of several pieces is that of the nearest pieces") {
     // a U about a block: 0.1 to the left arm, 0.3 to the right arm, 0.2 to the floor
     const Solid u{{tests::make_box_piece({-1.0, 0.0, 0.0}, {1.0, 1.0, 0.5}), tests::make_box_piece({-1.0, 0.0, 0.5}, {-0.6, 1.0, 2.0}),
