@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lsdem/contact/overlap.hpp"
-#include "tests/support/convex_solid.hpp"
+#include "lsdem/solid/convex_hull.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;
@@ -33,6 +33,8 @@ struct Body {
     Body turned(const Vector3& by) const { return {solid, Eigen::AngleAxisd(by.norm(), by.normalized()) * rotation, center}; }
     Body shifted(const Vector3& by) const { return {solid, rotation, center + by}; }
 };
+
+Solid make_solid(const std::vector<Vector3>& corners) { return {{make_convex_hull(corners)}}; }
 
 Solid box(const Vector3& size) {
     std::vector<Vector3> corners;
