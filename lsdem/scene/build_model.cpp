@@ -170,8 +170,7 @@ void refuse_overlaps(const Scene& scene, const std::vector<Placement>& blocks) {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         const detail::Body& body = bodies[k];
         if (body.fixed) continue;
-        const double reach = body.round ? body.half.x() : body.axes.row(2).cwiseAbs().dot(body.half);
-        const double depth = reach - body.center.z();
+        const double depth = detail::compute_depth_in_ground(body);
         if (depth > detail::kTouchingTolerance * 2.0 * body.half.minCoeff()) {
             throw SceneError(fmt::format("{}: {} reaches {} below the ground at the start (the ground is the plane z = 0); lift it",
                                          scene.place(), name_block(scene, blocks, k), format_length(depth)));

@@ -4,6 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
+
+#include "lsdem/solid/basic_solids.hpp"
+#include "tests/support/solids.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::detail;
@@ -47,6 +51,41 @@ TEST_CASE("balls overlap balls and boxes by their distance") {
     // beside a corner the boxes around both meet, the bodies do not
     CHECK(compute_overlap(make_ball(0.5, {1.4, 1.4, 0.0}), box) == doctest::Approx(0.5 - std::hypot(0.4, 0.4)));
     CHECK(compute_overlap(make_ball(0.5, {0.0, 0.0, 0.9}), box) == doctest::Approx(0.6));
+}
+
+TEST_CASE("solids overlap solids, boxes and balls by the depth of the shallowest way out") {
+    const Solid drum = make_drum(0.5, 1.0, 24, 0.5);
+    const auto make_solid_body = [&](const Vector3& center, const Quaternion& turn = Quaternion::Identity()) {
+        return Body{{0.51, 0.51, 0.5}, center, turn.toRotationMatrix(), false, false, &drum};
+    };
+    const double inner = 0.5 * std::cos(std::numbers::pi / 24.0);  // from the axis to a flat
+    const Body a = make_solid_body({1.0, 2.0, 3.0});
+    CHECK(compute_overlap(a, make_solid_body({1.0, 2.0, 3.9})) == doctest::Approx(0.1));
+    CHECK(compute_overlap(make_solid_body({1.0 + 2.0 * inner + 0.2, 2.0, 3.0}), a) == doctest::Approx(-0.2));
+    CHECK(compute_overlap(a, make_box({1.0, 1.0, 1.0}, {1.0 + inner + 0.5 - 0.03, 2.0, 3.0})) == doctest::Approx(0.03));
+    CHECK(compute_overlap(make_ball(0.5, {1.0, 2.0, 3.75}), a) == doctest::Approx(0.25));
+    CHECK(compute_overlap(make_ball(0.5, {1.5 * inner + 1.0, 2.0, 3.0}), a) == doctest::Approx(0.5 - 0.5 * inner));
+    // lying on a flat
+    const Body lying = make_solid_body({0.0, 0.0, inner - 0.01}, turn_about(Vector3::UnitY(), std::numbers::pi / 2));
+    CHECK(compute_depth_in_ground(lying) == doctest::Approx(0.01));
+    CHECK(compute_depth_in_ground(make_ball(0.5, {0.0, 0.0, 0.75})) == doctest::Approx(-0.25));
+    CHECK(compute_depth_in_ground(make_box({1.0, 1.0, 2.0}, {0.0, 0.0, 0.9})) == doctest::Approx(0.1));
+}
+
+TEST_CASE("boxes as solids overlap as deep as boxes") {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> share(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        Body a = make_box({1.0, 0.6, 0.8}, Vector3::Zero(), Quaternion(tests::draw_rotation(random)));
+        Body b =
+            make_box({0.7, 0.9, 0.5}, 0.7 * Vector3(share(random), share(random), share(random)), Quaternion(tests::draw_rotation(random)));
+        const double of_boxes = compute_overlap(a, b);
+        const Solid solid = make_box_solid(2.0 * a.half);
+        a.solid = &solid;
+        const double of_solids = compute_overlap(a, b);
+        CHECK((of_boxes > 0.0) == (of_solids > 0.0));
+        if (of_boxes > 0.0) CHECK(of_solids == doctest::Approx(of_boxes).epsilon(1e-13));
+    }
 }
 
 TEST_CASE("the deepest overlap among many bodies is found, touching ones and fixed pairs are not overlaps") {
