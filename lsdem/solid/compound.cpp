@@ -13,6 +13,7 @@
 
 #include "lsdem/solid/detail/cells.hpp"
 #include "lsdem/solid/detail/convex_wholes.hpp"
+#include "lsdem/solid/detail/hull.hpp"
 #include "lsdem/solid/detail/shared_faces.hpp"
 #include "lsdem/solid/solid_gap.hpp"
 
@@ -22,12 +23,11 @@ namespace {
 using detail::Cell;
 using detail::SharedFace;
 
-/// Gaps and overlaps below this part of the compound's size count as none [-]: far above the rounding of turned and placed parts.
-constexpr double kTouching = 1e-9;
-
-double find_tolerance(std::span<const Polyhedron> parts) {
-    const Bounds bounds = find_bounds({{parts.begin(), parts.end()}});
-    return kTouching * bounds.size().maxCoeff();
+/// Faces of a part that lie in one plane to the tolerance become one.
+Polyhedron join_faces(const Polyhedron& part, double tolerance) {
+    std::optional<Polyhedron> hull = detail::find_hull(part.corners, tolerance);
+    if (!hull) throw std::invalid_argument("a part of a compound is thinner than what counts as touching");
+    return hull->faces.size() < part.faces.size() ? std::move(*hull) : part;
 }
 
 void refuse_overlaps_of_parts(std::span<const Polyhedron> parts, double tolerance) {
@@ -169,12 +169,14 @@ void mark_inner_faces(Cell& cell, const std::vector<SharedFace>& shared_faces) {
 
 }  // namespace
 
-Solid make_compound(std::span<const Polyhedron> given) {
+Solid make_compound(std::span<const Polyhedron> given, double touching) {
     if (given.empty()) throw std::invalid_argument("a compound has no parts");
-    const double tolerance = find_tolerance(given);
-    refuse_overlaps_of_parts(given, tolerance);
-    refuse_loose_parts(given.size(), detail::find_shared_faces(given, tolerance));
-    std::vector<Polyhedron> parts(given.begin(), given.end());
+    if (given.size() == 1) return {{given.front()}};
+    const double tolerance = touching * find_bounds({{given.begin(), given.end()}}).size().maxCoeff();
+    std::vector<Polyhedron> parts;
+    for (const Polyhedron& part : given) parts.push_back(join_faces(part, tolerance));
+    refuse_overlaps_of_parts(parts, tolerance);
+    refuse_loose_parts(parts.size(), detail::find_shared_faces(parts, tolerance));
     join_parts(parts, tolerance);
     if (parts.size() == 1) return {std::move(parts)};
     share_planes(parts, tolerance);

@@ -279,6 +279,23 @@ TEST_CASE("gaps of a part in a thousand million between parts count as none") {
     CHECK(volume(solid) == relative(2.0, 1e-9));
 }
 
+TEST_CASE("parts of six digits hang together where touching allows for these") {
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 10; ++i) {
+        Parts parts;
+        for (const Polyhedron& part : move_parts(make_dented_bodies()[1].parts, {draw_rotation(random), {0.3, 0.4, 0.5}})) {
+            std::vector<Vector3> corners = part.corners;
+            for (Vector3& corner : corners) corner = (1e6 * corner).array().round() / 1e6;
+            parts.push_back(make_convex_hull(corners));
+        }
+        CHECK_THROWS_AS(make_compound(parts), std::invalid_argument);
+        const Solid solid = make_compound(parts, 1e-5);
+        CHECK(collect_wholes(solid).size() == 2);
+        CHECK(find_area(solid, true) == relative(2.0 * 4.25 + 11.5, 1e-5));
+        for (const Polyhedron& piece : solid.pieces) CHECK(piece.faces.size() == 6);
+    }
+}
+
 TEST_CASE("one part is itself") {
     const Polyhedron drum = make_drum(0.5, 1.0, 24, 0.4).pieces.front();
     CHECK(make_compound(Parts{drum}).pieces == Parts{drum});
