@@ -15,7 +15,7 @@ struct Moments {
 };
 
 /// Sums over tetrahedra between a point within the piece, the mean of its corners, and the triangles of its faces. With v the other three
-/// corners seen from there and s = Σ v: V = det(v)/6, ∫ x dV = V s/4, ∫ x xᵀ dV = V (Σ v vᵀ + s sᵀ)/20 [Tonon04].
+/// corners seen from there and s = Σ v: V = det(v)/6, ∫ x dV = V s/4, ∫ x xᵀ dV = V (Σ v vᵀ + s sᵀ)/20 [Tonon05].
 Moments integrate(const Polyhedron& piece) {
     Vector3 mean = Vector3::Zero();
     for (const Vector3& corner : piece.corners) mean += (corner - piece.corners.front()) / static_cast<double>(piece.corners.size());

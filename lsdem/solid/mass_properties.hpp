@@ -11,7 +11,7 @@ struct MassProperties {
     Matrix3 inertia_over_mass = Matrix3::Zero();  ///< about the centre, per unit mass [m²]
 };
 
-/// Sums over the tetrahedra between the faces' triangles and a point of the solid, so that a far origin costs no digits [Tonon04].
+/// Sums over the tetrahedra between the faces' triangles and a point of the solid, so that a far origin costs no digits [Tonon05].
 MassProperties compute_mass_properties(const Solid& solid);
 
 /// Principal axes of a symmetric tensor, right-handed, each the nearest to the frame's own that a Jacobi rotation leaves; products of
