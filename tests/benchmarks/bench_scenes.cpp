@@ -10,6 +10,7 @@
 #include "lsdem/run/equilibrium.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/material_presets.hpp"
+#include "lsdem/solid/basic_solids.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::benchmarks {
@@ -156,6 +157,68 @@ lsdem::Model make_column_at_rest() {
     return model;
 }
 
+/// Ten drums of 24 flats on each other.
+lsdem::Model make_drums() {
+    constexpr int kDrums = 10;
+    lsdem::Model model = make_column(1);
+    const double radius = 0.5 * model.shapes[0].half_extents.y(), height = 2.0 * radius;
+    const lsdem::Block first = model.blocks[0];
+    const double density = first.mass / model.shapes[0].volume;
+    model.shapes = {lsdem::make_solid_shape(lsdem::make_drum(radius, height, 24, radius))};
+    model.blocks.clear();
+    model.preload.clear();
+    for (int i = 0; i < kDrums; ++i) {
+        lsdem::Block drum;
+        drum.mass = density * model.shapes[0].volume;
+        drum.position.z() = (i + 0.5) * height;
+        model.blocks.push_back(drum);
+    }
+    return at_rest(std::move(model));
+}
+
+/// A half circle of 27 voussoirs between two that are held, thickness a fifth of the radius.
+lsdem::Model make_arch() {
+    constexpr int kVoussoirs = 27;
+    constexpr double kThickness = 0.2, kDepth = 0.3;  // of the radius
+    lsdem::Model model = make_column(1);
+    const double radius = 10.0 * model.shapes[0].half_extents.z();
+    const double density = model.blocks[0].mass / model.shapes[0].volume, half = 0.5 * std::numbers::pi / kVoussoirs;
+    // drawn with its bed joints across z, about the middle of the arch
+    std::vector<Eigen::Vector2d> outline;
+    for (const auto& [side, r] : {std::pair{-1.0, 1.0 - 0.5 * kThickness},
+                                  {-1.0, 1.0 + 0.5 * kThickness},
+                                  {1.0, 1.0 + 0.5 * kThickness},
+                                  {1.0, 1.0 - 0.5 * kThickness}}) {
+        outline.emplace_back(radius * r * std::cos(half), side * radius * r * std::sin(half));
+    }
+    const Eigen::Matrix3d upright = Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const lsdem::Solid drawn = lsdem::moved(lsdem::make_prism(outline, kDepth * radius), {upright, Eigen::Vector3d::Zero()});
+    model.shapes = {lsdem::make_solid_shape(drawn)};
+    model.blocks.clear();
+    model.preload.clear();
+    model.ground.present = false;
+    const lsdem::Placing own = model.shapes[0].own.inverse();
+    for (int i = -1; i <= kVoussoirs; ++i) {
+        const lsdem::Quaternion turn(Eigen::AngleAxisd(-(2.0 * i + 1.0) * half, Eigen::Vector3d::UnitY()));
+        lsdem::Block block;
+        block.mass = density * model.shapes[0].volume;
+        block.orientation = turn * lsdem::Quaternion(own.rotation);
+        block.position = turn * own.position;
+        block.fixed = i < 0 || i == kVoussoirs;
+        model.blocks.push_back(block);
+    }
+    return at_rest(std::move(model));
+}
+
+/// Voussoirs that have been hit from all sides: each moves by itself.
+lsdem::Model hit(lsdem::Model model) {
+    constexpr double kSpeed = 0.02;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        if (!model.blocks[i].fixed) model.blocks[i].velocity.x() = i % 2 == 0 ? kSpeed : -kSpeed;
+    }
+    return model;
+}
+
 }  // namespace
 
 std::vector<BenchScene> make_bench_scenes() {
@@ -172,6 +235,10 @@ std::vector<BenchScene> make_bench_scenes() {
     scenes.push_back({"shaken_no_rotation", [] { return without_rotation(shaken(make_tower())); }, kStrong});
     scenes.push_back({"tower_nodes", [] { return make_tower(lsdem::FaceContact::nodes); }});
     scenes.push_back({"tower_grid", make_grid_tower});
+    scenes.push_back({"drums", make_drums});
+    scenes.push_back({"drums_shaken", [] { return shaken(make_drums()); }, kStrong});
+    scenes.push_back({"arch", make_arch});
+    scenes.push_back({"arch_hit", [] { return hit(make_arch()); }});
     scenes.push_back({"column_at_rest", make_column_at_rest});
     scenes.push_back({"column_waiting", [] { return make_column(kLayers); }});
     scenes.push_back({"debris", make_debris});

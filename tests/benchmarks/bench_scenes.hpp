@@ -25,6 +25,8 @@ struct BenchScene {
 ///   shaken_one_component, shaken_no_friction, shaken_elastic (e = 1), shaken_no_rotation
 ///   tower_nodes              contact by the leader's 44 nodes a face in place of overlap; sticking
 ///   tower_grid               blocks as grid level sets, voxel 0.65 mm; sticking
+///   drums, drums_shaken      ten drums of 24 flats on each other: the exact function
+///   arch, arch_hit           a half circle of 27 voussoirs; sticking, and each with a velocity of its own
 ///   column_at_rest             38 blocks that stand, on a base that stands: passed over
 ///   column_waiting           the same, computed
 ///   debris                   7144 blocks that fall freely, apart
