@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/block_reach.hpp"
 #include "lsdem/results/run_warnings.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/sequence_plan.hpp"
@@ -33,6 +34,11 @@ constexpr double kCsvNumber = 21.0;
 /// Letters of a frame in result.xdmf.
 constexpr double kXdmfFrame = 1630.0;
 
+/// Edges of a shape: of a box its own, of a solid those of the box around it in the frame that it is placed by.
+Vector3 find_size(const Shape& shape) {
+    return shape.solid ? find_bounds(*shape.solid, shape.own.inverse()).size() : Vector3(2.0 * shape.half_extents);
+}
+
 void count_blocks(const Scene& scene, SceneSummary& summary) {
     const Model& model = summary.specimen.model;
     summary.low.setConstant(std::numeric_limits<double>::infinity());
@@ -40,15 +46,16 @@ void count_blocks(const Scene& scene, SceneSummary& summary) {
     const auto* list = std::get_if<BlockList>(&scene.structure);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Block& block = model.blocks[b];
-        const std::string material = list == nullptr ? "" : list->blocks[b].material;
-        const Vector3 size = 2.0 * model.shapes[block.shape].half_extents;
-        const Vector3 reach = block.orientation.toRotationMatrix().cwiseAbs() * half_extents(model, block);
-        summary.low = summary.low.cwiseMin(block.position - reach);
-        summary.high = summary.high.cwiseMax(block.position + reach);
+        const std::string material = list == nullptr ? "" : list->blocks[b].material, shape = list == nullptr ? "" : list->blocks[b].shape;
+        const Shape& own = model.shapes[block.shape];
+        const Vector3 size = find_size(own);
+        const BlockReach reach = find_block_reach(own.solid.get(), half_extents(model, block), block.orientation.toRotationMatrix());
+        summary.low = summary.low.cwiseMin(block.position - reach.below);
+        summary.high = summary.high.cwiseMax(block.position + reach.above);
         summary.mass += block.mass;
-        const auto same = [&](const BlockKind& kind) { return kind.size == size && kind.material == material; };
+        const auto same = [&](const BlockKind& kind) { return kind.size == size && kind.shape == shape && kind.material == material; };
         auto kind = std::find_if(summary.kinds.begin(), summary.kinds.end(), same);
-        if (kind == summary.kinds.end()) kind = summary.kinds.insert(kind, {.size = size, .material = material});
+        if (kind == summary.kinds.end()) kind = summary.kinds.insert(kind, {.size = size, .shape = shape, .material = material});
         ++kind->count;
         kind->mass += block.mass;
         kind->fixed += block.fixed ? 1 : 0;
@@ -58,7 +65,10 @@ void count_blocks(const Scene& scene, SceneSummary& summary) {
     if (!level.empty()) summary.levels = *std::max_element(level.begin(), level.end());
 }
 
-std::string describe_contact(const Scene& scene) {
+std::string describe_contact(const Scene& scene, const Model& model) {
+    const bool has_solids =
+        std::any_of(model.shapes.begin(), model.shapes.end(), [](const Shape& shape) { return shape.solid != nullptr; });
+    if (has_solids) return "flat faces meet by the energy of their overlap, in closed form";
     if (!scene.has_contact_nodes()) return "boxes meet by the energy of their overlap, in closed form";
     return fmt::format("by surface nodes of {}, stiffness by area",
                        scene.contact_nodes == ContactNodes::leader ? "the lower block" : "both blocks");
@@ -198,7 +208,7 @@ SceneSummary summarize_scene(const Scene& scene) {
     summary.materials.insert(summary.materials.end(), scene.materials.begin(), scene.materials.end());
     summary.pairs = scene.pairs;
     summary.stiffness_base = reference_area(scene);
-    summary.contact = describe_contact(scene);
+    summary.contact = describe_contact(scene, summary.specimen.model);
     summary.time_step = summary.motions.front().plan.time_step;
     summary.critical_time_step = find_critical_time_step(summary.specimen.model);
     plan_preparation(scene, summary);

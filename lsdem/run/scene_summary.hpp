@@ -21,10 +21,12 @@ namespace musim::lsdem {
 /// Blocks of one shape and material.
 struct BlockKind {
     std::size_t count = 0;
-    Vector3 size = Vector3::Zero();  ///< edges of the shape along the body's axes, without differences in height [m]
-    double mass = 0.0;               ///< of all [kg]
-    std::string material = {};       ///< key of the scene's materials; empty: the scene's own
-    std::size_t fixed = 0;           ///< of them held in place
+    Vector3 size =
+        Vector3::Zero();        ///< edges of the shape, without differences in height; of a solid those of the box around it as drawn [m]
+    std::string shape = {};     ///< key of the scene's shapes; empty: a box of this size, or as the scene has it for all
+    double mass = 0.0;          ///< of all [kg]
+    std::string material = {};  ///< key of the scene's materials; empty: the scene's own
+    std::size_t fixed = 0;      ///< of them held in place
 };
 
 /// A file that a run leaves, and about how large it will be.

@@ -64,7 +64,8 @@ void describe_structure(const SceneSummary& summary, std::vector<std::string>& l
                                 count(static_cast<std::size_t>(summary.levels), "level"), write_size(size),
                                 write<scaling::Mass>(summary.mass)));
     for (const BlockKind& kind : summary.kinds) {
-        lines.push_back(fmt::format("            {} of {}, {} each{}{}", kind.count, write_size(kind.size),
+        lines.push_back(fmt::format("            {} of {}{}, {} each{}{}", kind.count,
+                                    kind.shape.empty() ? "" : fmt::format("\"{}\" in ", kind.shape), write_size(kind.size),
                                     write<scaling::Mass>(kind.mass / static_cast<double>(kind.count)),
                                     summary.materials.size() > 1 ? ", " + name_material(kind.material) : "",
                                     kind.fixed > 0 ? fmt::format(", {} held in place", kind.fixed) : ""));
@@ -231,6 +232,7 @@ json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& 
                                    {"mass_kg", kind.mass},
                                    {"material", kind.material},
                                    {"fixed", kind.fixed}});
+        if (!kind.shape.empty()) object["kinds"].back()["shape"] = kind.shape;
     }
     object["materials"] = json::object();
     for (const auto& [name, material] : summary.materials) object["materials"][name] = to_json(material, summary.stiffness_base.value());

@@ -56,6 +56,14 @@ Shape make_shape(const SphereShape& settings, const Placement& /*block*/, bool /
     return make_sphere_shape(settings.radius.value(), static_cast<std::size_t>(settings.nodes), settings.voxel.value());
 }
 
+/// Shape of a block: a solid, a sphere that it names, or as the scene has it for all.
+Shape make_shape(const Scene& scene, const Placement& block) {
+    if (block.solid) return *block.solid;
+    const bool has_nodes = scene.has_contact_nodes();
+    if (!block.shape.empty()) return make_shape(std::get<SphereShape>(scene.shapes.at(block.shape).form), block, has_nodes);
+    return std::visit([&](const auto& settings) { return make_shape(settings, block, has_nodes); }, scene.shape);
+}
+
 Material make_material(const BlockMaterial& material, double face_area) {
     return {.normal_stiffness = material.normal_stiffness.value() / face_area,
             .shear_stiffness = material.shear_stiffness.value() / face_area,
@@ -76,7 +84,8 @@ class ModelBuilder {
         block.material = find_or_add_material(placement);
         block.height_offset = placement.height_offset;
         const Shape& shape = model_.shapes[block.shape];
-        block.mass = material_of(placement).density.value() * (shape.volume + shape.face_area * block.height_offset);
+        const double density = placement.density.value_or(material_of(placement).density.value());
+        block.mass = placement.mass.value_or(density * (shape.volume + shape.face_area * block.height_offset));
         block.position = placement.position;
         block.orientation = placement.orientation;
         block.velocity = placement.velocity;
@@ -126,13 +135,9 @@ class ModelBuilder {
     }
 
     std::size_t find_or_add_shape(const Placement& placement) {
-        const std::array key{placement.size.x(), placement.size.y(), placement.size.z()};
+        const std::pair key{placement.shape, std::array{placement.size.x(), placement.size.y(), placement.size.z()}};
         const auto [entry, is_new] = shapes_.try_emplace(key, model_.shapes.size());
-        if (is_new) {
-            const bool has_nodes = scene_.has_contact_nodes();
-            model_.shapes.push_back(
-                std::visit([&](const auto& settings) { return make_shape(settings, placement, has_nodes); }, scene_.shape));
-        }
+        if (is_new) model_.shapes.push_back(make_shape(scene_, placement));
         return entry->second;
     }
 
@@ -145,16 +150,18 @@ class ModelBuilder {
     const Scene& scene_;
     double face_area_;
     Model& model_;
-    std::map<std::array<double, 3>, std::size_t> shapes_;
+    std::map<std::pair<std::string, std::array<double, 3>>, std::size_t> shapes_;  ///< by name, and by size of boxes
     std::map<std::string, std::size_t> materials_;
 };
 
 std::vector<detail::Body> make_bodies(const Scene& scene, const std::vector<Placement>& blocks) {
-    const bool round = std::holds_alternative<SphereShape>(scene.shape);
+    const bool has_spheres = std::holds_alternative<SphereShape>(scene.shape);
     std::vector<detail::Body> bodies;
     bodies.reserve(blocks.size());
     for (const Placement& block : blocks) {
-        bodies.push_back({0.5 * block.own_size(), block.position, block.orientation.toRotationMatrix(), round, block.fixed});
+        const Solid* const solid = block.solid ? block.solid->solid.get() : nullptr;
+        const bool round = has_spheres || (!block.shape.empty() && solid == nullptr);
+        bodies.push_back({0.5 * block.own_size(), block.position, block.orientation.toRotationMatrix(), round, block.fixed, solid});
     }
     return bodies;
 }

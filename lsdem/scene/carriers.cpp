@@ -9,21 +9,30 @@
 namespace musim::lsdem {
 namespace {
 
-/// A box with its bounding box along the world's axes.
+/// A block with its bounding box along the world's axes.
 struct Bounded {
     detail::Body body;
-    Vector3 reach;
+    BlockReach reach;
 
     explicit Bounded(const BoxPose& box)
-        : body{.half = 0.5 * box.size, .center = box.position, .axes = box.orientation.toRotationMatrix()},
-          reach(body.axes.cwiseAbs() * body.half) {}
-    double bottom() const { return body.center.z() - reach.z(); }
-    double top() const { return body.center.z() + reach.z(); }
-    double drop() const { return kFallenDrop * 2.0 * reach.z(); }
+        : body{.half = 0.5 * box.size,
+               .center = box.position,
+               .axes = box.orientation.toRotationMatrix(),
+               .round = false,
+               .fixed = false,
+               .solid = box.solid.get()},
+          reach(box.reach()) {}
+    double low(int axis) const { return body.center[axis] - reach.below[axis]; }
+    double high(int axis) const { return body.center[axis] + reach.above[axis]; }
+    double bottom() const { return low(2); }
+    double top() const { return high(2); }
+    double drop() const { return kFallenDrop * reach.extent().z(); }
 };
 
 bool overlap_in_plan(const Bounded& a, const Bounded& b) {
-    return ((a.reach + b.reach - (a.body.center - b.body.center).cwiseAbs()).head<2>().array() > 0.0).all();
+    const Vector3 apart = a.body.center - b.body.center;
+    const Vector3 room = (a.reach.above + b.reach.below + apart).cwiseMin(b.reach.above + a.reach.below - apart);
+    return (room.head<2>().array() > 0.0).all();
 }
 
 /// The joint of a block with the one below, when it carries it.
@@ -35,8 +44,7 @@ std::optional<Carrier> find_joint(const Bounded& upper, const Bounded& lower, st
     if (!(detail::compute_overlap(lowered, lower.body) > kLeastBearing * edge)) return std::nullopt;
     Carrier carrier{.block = index, .gap = std::max(0.0, upper.bottom() - lower.top())};
     for (int axis = 0; axis < 2; ++axis) {
-        const double low = std::max(upper.body.center[axis] - upper.reach[axis], lower.body.center[axis] - lower.reach[axis]);
-        const double high = std::min(upper.body.center[axis] + upper.reach[axis], lower.body.center[axis] + lower.reach[axis]);
+        const double low = std::max(upper.low(axis), lower.low(axis)), high = std::min(upper.high(axis), lower.high(axis));
         carrier.meeting[axis] = 0.5 * (low + high);
     }
     // inclined faces meet somewhere between the lowest point of the one and the highest of the other
@@ -52,7 +60,7 @@ std::vector<std::vector<Carrier>> find_carriers(const std::vector<BoxPose>& boxe
     double tallest = 0.0;
     for (std::size_t b = 0; b < bounded.size(); ++b) {
         by_height.emplace_back(bounded[b].body.center.z(), b);
-        tallest = std::max(tallest, bounded[b].reach.z());
+        tallest = std::max(tallest, bounded[b].reach.above.z());
     }
     std::sort(by_height.begin(), by_height.end());
     std::vector<std::vector<Carrier>> carriers(boxes.size());

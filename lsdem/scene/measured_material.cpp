@@ -37,7 +37,8 @@ MeasuredMaterial parse_material_file(const detail::Json& root, const std::string
         if (!(edge.value() > 0.0)) object["block"].fail("an edge is not longer than zero; give b, w and H of the block");
     }
     const Triple<scaling::Length>& block = measured.reference_block;
-    measured.material = detail::parse_material(object["material"], {.area = block[0] * block[1], .height = block[2]});
+    measured.material =
+        detail::parse_material(object["material"], detail::FindStiffnessBase({.area = block[0] * block[1], .height = block[2]}));
     return measured;
 }
 

@@ -5,7 +5,6 @@
 #include "lsdem/scene/detail/require.hpp"
 #include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/detail/unlikely_values.hpp"
-#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
 namespace musim::lsdem {
@@ -148,7 +147,7 @@ void drop_idle_settings(Scene& scene) {
 }
 
 /// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
-void collect_materials(const JsonReader& object, const detail::StiffnessBase& base, Scene& scene) {
+void collect_materials(const JsonReader& object, const detail::FindStiffnessBase& base, Scene& scene) {
     if (!std::holds_alternative<BlockList>(scene.structure)) return;
     for (const JsonReader& block : object["structure"]["blocks"].entries()) {
         const std::string name = block.find<std::string>("material").value_or("");
@@ -158,7 +157,7 @@ void collect_materials(const JsonReader& object, const detail::StiffnessBase& ba
 
 /// Materials and pairs of a scene whose structure is read.
 void read_materials(const JsonReader& object, Scene& scene) {
-    const detail::StiffnessBase base{reference_area(scene), reference_block(scene)[2], has_several_bases(scene)};
+    const detail::FindStiffnessBase base(scene);
     scene.material = parse_material(object["material"], base);
     if (object.has("materials")) {
         const JsonReader materials = object["materials"];

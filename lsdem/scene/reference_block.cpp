@@ -2,17 +2,73 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
+
+#include "lsdem/scene/named_shape.hpp"
 
 namespace musim::lsdem {
 
-Triple<scaling::Length> reference_block(const Scene& scene) {
-    if (const auto* sphere = std::get_if<SphereShape>(&scene.shape)) {
-        const scaling::Length diameter = 2.0 * sphere->radius;
-        return {diameter, diameter, diameter};
+namespace {
+
+using scaling::Area;
+using scaling::Length;
+
+const SphereShape* find_sphere(const Scene& scene, const BlockEntry& block) {
+    const ShapeEntry* named = scene.find_shape(block);
+    return named != nullptr ? std::get_if<SphereShape>(&named->form) : std::get_if<SphereShape>(&scene.shape);
+}
+
+/// Base and height of the blocks of a list, by the shape that they name.
+class ListBases {
+  public:
+    explicit ListBases(const Scene& scene) : scene_(scene) {}
+
+    Area find_area(const BlockEntry& block) {
+        if (const SphereShape* sphere = find_sphere(scene_, block)) return std::numbers::pi * sphere->radius * sphere->radius;
+        if (const ShapeEntry* named = scene_.find_shape(block); named != nullptr && !named->is_box()) return find_or_make(block.shape).area;
+        const Triple<Length> size = find_block(block);
+        return size[0] * size[1];
     }
+    Triple<Length> find_block(const BlockEntry& block) {
+        if (const SphereShape* sphere = find_sphere(scene_, block)) {
+            const Length diameter = 2.0 * sphere->radius;
+            return {diameter, diameter, diameter};
+        }
+        const ShapeEntry* named = scene_.find_shape(block);
+        if (named == nullptr) return block.size;
+        return named->is_box() ? find_box_size(*named) : find_or_make(block.shape).block;
+    }
+
+  private:
+    struct Base {
+        Area area{};
+        Triple<Length> block{};
+    };
+
+    const Base& find_or_make(const std::string& name) {
+        const auto [entry, is_new] = bases_.try_emplace(name);
+        if (is_new) {
+            const Shape shape = make_named_shape(scene_, name);
+            const Vector3 extent = find_bounds(*shape.solid, shape.own.inverse()).size();
+            const double part = std::sqrt(shape.face_area / (extent.x() * extent.y()));
+            entry->second = {
+                Area::from_value(shape.face_area),
+                {Length::from_value(part * extent.x()), Length::from_value(part * extent.y()), Length::from_value(extent.z())}};
+        }
+        return entry->second;
+    }
+
+    const Scene& scene_;
+    std::map<std::string, Base> bases_;
+};
+
+}  // namespace
+
+Triple<scaling::Length> reference_block(const Scene& scene) {
     if (const auto* list = std::get_if<BlockList>(&scene.structure))
-        return list->blocks.empty() ? Triple<scaling::Length>{} : list->blocks.front().size;
+        return list->blocks.empty() ? Triple<scaling::Length>{} : ListBases(scene).find_block(list->blocks.front());
     if (const auto* column = std::get_if<Column>(&scene.structure)) return column->block;
     if (const auto* wall = std::get_if<Wall>(&scene.structure)) return wall->block;
     return std::get<Tower>(scene.structure).block;
@@ -21,15 +77,16 @@ Triple<scaling::Length> reference_block(const Scene& scene) {
 bool has_several_bases(const Scene& scene) {
     constexpr double kSameBase = 1e-9;  // sizes written in another way
     const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list == nullptr || std::holds_alternative<SphereShape>(scene.shape)) return false;
-    const double area = reference_area(scene).value();
-    return std::any_of(list->blocks.begin(), list->blocks.end(), [&](const BlockEntry& block) {
-        return !(std::abs((block.size[0] * block.size[1]).value() - area) <= kSameBase * area);
-    });
+    if (list == nullptr || list->blocks.empty()) return false;
+    ListBases bases(scene);
+    const double area = bases.find_area(list->blocks.front()).value();
+    return std::any_of(list->blocks.begin(), list->blocks.end(),
+                       [&](const BlockEntry& block) { return !(std::abs(bases.find_area(block).value() - area) <= kSameBase * area); });
 }
 
 scaling::Area reference_area(const Scene& scene) {
-    if (const auto* sphere = std::get_if<SphereShape>(&scene.shape)) return std::numbers::pi * sphere->radius * sphere->radius;
+    const auto* list = std::get_if<BlockList>(&scene.structure);
+    if (list != nullptr && !list->blocks.empty()) return ListBases(scene).find_area(list->blocks.front());
     const Triple<scaling::Length> block = reference_block(scene);
     return block[0] * block[1];
 }

@@ -63,13 +63,13 @@ struct PolyhedronForm {
 };
 
 /// A part of a file with several: its number from 0, or the name of its group.
-using MeshPart = std::variant<std::size_t, std::string>;
+using ChosenPart = std::variant<std::size_t, std::string>;
 
 /// A closed triangle mesh in a file: STL, OBJ or PLY.
 struct MeshForm {
-    std::filesystem::path file;    ///< absolute path
-    std::string unit;              ///< of its coordinates: "m", "mm", ...
-    std::optional<MeshPart> part;  ///< default: the file has one
+    std::filesystem::path file;      ///< absolute path
+    std::string unit;                ///< of its coordinates: "m", "mm", ...
+    std::optional<ChosenPart> part;  ///< default: the file has one
 
     bool operator==(const MeshForm&) const = default;
 };

@@ -92,7 +92,7 @@ class SceneWriter {
         return {write(tensor[0]), write(tensor[1]), write(tensor[2])};
     }
     ordered_json write(ShapeAxis axis) const { return detail::kShapeAxes.at(static_cast<std::size_t>(axis)); }
-    ordered_json write(const MeshPart& part) const {
+    ordered_json write(const ChosenPart& part) const {
         return std::visit([](const auto& which) -> ordered_json { return which; }, part);
     }
     ordered_json write(const TilingSettings& tiling) const { return write_part(tiling); }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lsdem/scene/detail/scene_parts.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_key.hpp"
 #include "records/error.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
@@ -23,12 +24,12 @@ const MaterialPreset& find_preset(const JsonReader& value) {
 }
 
 /// A preset with the stiffnesses of the base; of a stone those of the solid in that block.
-BlockMaterial parse_preset(const JsonReader& value, const StiffnessBase& base) {
+BlockMaterial parse_preset(const JsonReader& value, const FindStiffnessBase& find_base) {
     const MaterialPreset& preset = find_preset(value);
     BlockMaterial material = preset.material;
-    if (preset.is_stone() || base.presets_keep_own) {
-        double ratio = base.area / (preset.reference_block[0] * preset.reference_block[1]);
-        if (preset.is_stone()) ratio *= preset.reference_block[2] / base.height;
+    if (preset.is_stone() || find_base().presets_keep_own) {
+        double ratio = find_base().area / (preset.reference_block[0] * preset.reference_block[1]);
+        if (preset.is_stone()) ratio *= preset.reference_block[2] / find_base().height;
         material.normal_stiffness *= ratio;
         material.shear_stiffness *= ratio;
     }
@@ -37,7 +38,7 @@ BlockMaterial parse_preset(const JsonReader& value, const StiffnessBase& base) {
 
 /// Reads what a stiffness per area is over the base, where there is one.
 template <class Value>
-void read_per_area(const JsonReader& object, const std::string& key, const StiffnessBase& base, Value& stiffness) {
+void read_per_area(const JsonReader& object, const std::string& key, const FindStiffnessBase& find_base, Value& stiffness) {
     const std::string per_area = key + "_per_area";
     if (!object.has(per_area)) return;
     const JsonReader value = object[per_area];
@@ -45,7 +46,7 @@ void read_per_area(const JsonReader& object, const std::string& key, const Stiff
     const auto given = value.quantity<scaling::StiffnessPerArea>();
     if (!(given.value() > 0.0) || !std::isfinite(given.value()))
         value.fail(fmt::format("{:.6g} Pa/m (must be positive); correct the value", given.value()));
-    stiffness = scaling::Stiffness::from_value(given.value() * base.area.value());
+    stiffness = scaling::Stiffness::from_value(given.value() * find_base().area.value());
 }
 
 BlockEntry parse_block(const JsonReader& value, bool needs_size) {
@@ -175,21 +176,26 @@ void read_value(const JsonReader& json, std::array<scaling::Time, 2>& window) {
     window = {times[0].quantity<scaling::Time>(), times[1].quantity<scaling::Time>()};
 }
 
-BlockMaterial parse_material(const JsonReader& value, const StiffnessBase& base) {
-    if (value.json().is_string()) return parse_preset(value, base);
+const StiffnessBase& FindStiffnessBase::operator()() const {
+    if (!found_) found_ = StiffnessBase{reference_area(*scene_), reference_block(*scene_)[2], has_several_bases(*scene_)};
+    return *found_;
+}
+
+BlockMaterial parse_material(const JsonReader& value, const FindStiffnessBase& find_base) {
+    if (value.json().is_string()) return parse_preset(value, find_base);
     const JsonReader object = to_object(value, "material");
     const bool has_preset = object.has("preset");
-    BlockMaterial material = has_preset ? parse_preset(object["preset"], base) : BlockMaterial{};
+    BlockMaterial material = has_preset ? parse_preset(object["preset"], find_base) : BlockMaterial{};
     read_fields(object, material, !has_preset);
-    read_per_area(object, "normal_stiffness", base, material.normal_stiffness);
-    read_per_area(object, "shear_stiffness", base, material.shear_stiffness);
+    read_per_area(object, "normal_stiffness", find_base, material.normal_stiffness);
+    read_per_area(object, "shear_stiffness", find_base, material.shear_stiffness);
     for (const char* key : {"normal_stiffness", "shear_stiffness"}) {
         if (!has_preset && !object.has(std::string(key) + "_per_area")) object[key];  // which says what is missing
     }
     return material;
 }
 
-std::vector<PairEntry> parse_pairs(const JsonReader& list, const StiffnessBase& base) {
+std::vector<PairEntry> parse_pairs(const JsonReader& list, const FindStiffnessBase& find_base) {
     if (!list.json().is_array()) list.fail("a list [ ... ] of pairs is wanted; correct the value");
     std::vector<PairEntry> pairs;
     for (const JsonReader& value : list.entries()) {
@@ -199,8 +205,8 @@ std::vector<PairEntry> parse_pairs(const JsonReader& list, const StiffnessBase& 
         PairEntry& pair = pairs.emplace_back();
         for (std::size_t k = 0; k < 2; ++k) pair.of[k] = names.entries()[k].text();
         read_fields(object, pair);
-        read_per_area(object, "normal_stiffness", base, pair.normal_stiffness);
-        read_per_area(object, "shear_stiffness", base, pair.shear_stiffness);
+        read_per_area(object, "normal_stiffness", find_base, pair.normal_stiffness);
+        read_per_area(object, "shear_stiffness", find_base, pair.shear_stiffness);
     }
     return pairs;
 }

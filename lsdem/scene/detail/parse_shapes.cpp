@@ -53,7 +53,7 @@ void read_value(const JsonReader& json, std::array<double, 3>& scale) {
     scale = json.json().is_array() ? json.as<std::array<double, 3>>() : std::array{json.number(), json.number(), json.number()};
 }
 
-void read_value(const JsonReader& json, MeshPart& part) {
+void read_value(const JsonReader& json, ChosenPart& part) {
     if (json.json().is_string()) {
         part = json.text();
     } else {

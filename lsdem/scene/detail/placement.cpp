@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -48,12 +49,13 @@ void add_top(Spine& spine, std::size_t block, int layer) {
     spine.has_top = true;
 }
 
-Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
-    Arrangement arrangement;
-    const auto* sphere = std::get_if<SphereShape>(&shape);
-    for (const BlockEntry& entry : list.blocks) {
-        const Vector3 size = sphere != nullptr ? Vector3::Constant(2.0 * sphere->radius.value()) : to_vector(entry.size);
-        Placement block = place(size, to_vector(entry.position), 0);
+/// Places blocks by the frames in which their shapes are drawn.
+class ListPlacer {
+  public:
+    explicit ListPlacer(const Scene& scene) : scene_(scene) {}
+
+    Placement place_entry(const BlockEntry& entry) {
+        Placement block = place(Vector3::Zero(), to_vector(entry.position), 0);
         const auto& [w, x, y, z] = entry.quaternion;
         block.orientation = Quaternion(w, x, y, z).normalized();
         block.velocity = to_vector(entry.velocity);
@@ -61,13 +63,60 @@ Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
         block.fixed = entry.fixed;
         block.rotation_locked = entry.rotation_locked;
         block.material = entry.material;
+        if (entry.density) block.density = entry.density->value();
         block.name = entry.name;
-        arrangement.blocks.push_back(std::move(block));
+        take_shape(entry, block);
+        block.whole_size = block.size;
+        return block;
     }
+
+  private:
+    void take_shape(const BlockEntry& entry, Placement& block) {
+        const ShapeEntry* named = scene_.find_shape(entry);
+        if (scene_.is_sphere(entry)) {
+            const auto& sphere = named != nullptr ? std::get<SphereShape>(named->form) : std::get<SphereShape>(scene_.shape);
+            block.size.setConstant(2.0 * sphere.radius.value());
+            block.shape = entry.shape;
+            return;
+        }
+        if (named == nullptr) {
+            block.size = to_vector(entry.size);
+            return;
+        }
+        if (named->mass) block.mass = named->mass->value();
+        if (named->is_box()) {
+            block.size = to_vector(find_box_size(*named));
+            const auto& [w, x, y, z] = named->quaternion;
+            if (named->quaternion != ShapeEntry{}.quaternion) block.orientation *= Quaternion(w, x, y, z).normalized();
+            return;
+        }
+        const std::shared_ptr<const Shape>& solid = find_or_make(entry.shape);
+        const Placing body = solid->own.inverse();
+        block.position += block.orientation * body.position;
+        if (body.rotation != Matrix3::Identity()) block.orientation = (block.orientation * Quaternion(body.rotation)).normalized();
+        block.size = 2.0 * solid->half_extents;
+        block.shape = entry.shape;
+        block.solid = solid;
+    }
+
+    const std::shared_ptr<const Shape>& find_or_make(const std::string& name) {
+        std::shared_ptr<const Shape>& solid = solids_[name];
+        if (!solid) solid = std::make_shared<const Shape>(make_named_shape(scene_, name));
+        return solid;
+    }
+
+    const Scene& scene_;
+    std::map<std::string, std::shared_ptr<const Shape>> solids_;
+};
+
+Arrangement arrange(const BlockList& list, const Scene& scene) {
+    Arrangement arrangement;
+    ListPlacer placer(scene);
+    for (const BlockEntry& entry : list.blocks) arrangement.blocks.push_back(placer.place_entry(entry));
     std::vector<Vector3> position, extent;
     for (const Placement& block : arrangement.blocks) {
         position.push_back(block.position);
-        extent.emplace_back(block.orientation.toRotationMatrix().cwiseAbs() * block.size);
+        extent.push_back(block.extent());
     }
     const std::vector<int> levels = find_levels(position, extent);
     for (std::size_t i = 0; i < levels.size(); ++i) arrangement.blocks[i].level = levels[i];
@@ -80,7 +129,7 @@ Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
     return arrangement;
 }
 
-Arrangement arrange(const Column& column, const ShapeSettings& /*shape*/) {
+Arrangement arrange(const Column& column, const Scene& /*scene*/) {
     Arrangement arrangement;
     const Vector3 size = to_vector(column.block);
     for (int layer = 1; layer <= column.layers; ++layer) {
@@ -123,7 +172,7 @@ std::size_t find_nearest_domino(const TowerTiling& tiling, const std::array<int,
     });
 }
 
-Arrangement arrange(const Tower& tower, const ShapeSettings& /*shape*/) {
+Arrangement arrange(const Tower& tower, const Scene& /*scene*/) {
     const TowerTiling odd = tower.tiling_file ? read_tiling(*tower.tiling_file) : make_tower_tiling(tower.tiling);
     const TowerTiling even = rotate_quarter_turn(odd);
     const std::size_t spine = find_spine_domino(odd);
@@ -149,7 +198,7 @@ Arrangement arrange(const Tower& tower, const ShapeSettings& /*shape*/) {
     return arrangement;
 }
 
-Arrangement arrange(const Wall& wall, const ShapeSettings& /*shape*/) {
+Arrangement arrange(const Wall& wall, const Scene& /*scene*/) {
     const Vector3 size = to_vector(wall.block);
     const double pitch = wall.pitch.value_or(default_pitch(wall.block)).value();
     // a half block fills one cell of the pitch and leaves the same joint as whole ones
@@ -195,6 +244,11 @@ void vary_heights(const HeightVariation& variation, std::vector<Placement>& bloc
 
 }  // namespace
 
+Vector3 Placement::extent() const {
+    if (solid) return find_bounds(*solid->solid, {orientation.toRotationMatrix(), position}).size();
+    return orientation.toRotationMatrix().cwiseAbs() * own_size();
+}
+
 std::vector<int> find_levels(const std::vector<Vector3>& position, const std::vector<Vector3>& extent) {
     std::vector<std::size_t> order(position.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -211,7 +265,7 @@ std::vector<int> find_levels(const std::vector<Vector3>& position, const std::ve
 }
 
 Arrangement arrange(const Scene& scene) {
-    Arrangement arrangement = std::visit([&](const auto& structure) { return arrange(structure, scene.shape); }, scene.structure);
+    Arrangement arrangement = std::visit([&](const auto& structure) { return arrange(structure, scene); }, scene.structure);
     if (const auto variation = find_height_variation(scene)) vary_heights(*variation, arrangement.blocks);
     return arrangement;
 }

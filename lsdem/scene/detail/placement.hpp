@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/named_shape.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/types.hpp"
 
@@ -11,22 +14,28 @@ namespace musim::lsdem::detail {
 
 /// A block in its place, in SI; what all blocks of a scene have in common is left to the scene.
 struct Placement {
-    Vector3 size = Vector3::Zero();        ///< edge lengths of its shape in the body frame [m]; for spheres, their diameter
+    Vector3 size = Vector3::Zero();        ///< edge lengths of its shape in the body frame [m]; of spheres their diameter
+    std::string shape;                     ///< key of Scene::shapes, of solids and spheres; empty: a box, or as Scene::shape has it
+    std::shared_ptr<const Shape> solid;    ///< of that name; nothing: a box or a sphere
+    std::optional<double> mass;            ///< given apart from the shape [kg]
     double height_offset = 0.0;            ///< Δ: how much taller than its shape [m]
     Vector3 whole_size = Vector3::Zero();  ///< of the block whose face the stiffnesses belong to: `size`, but for half blocks [m]
-    Vector3 position = Vector3::Zero();
+    Vector3 position = Vector3::Zero();    ///< of the centre of mass [m]
     Quaternion orientation = Quaternion::Identity();
     Vector3 velocity = Vector3::Zero();
     Vector3 angular_velocity = Vector3::Zero();
     bool fixed = false;
     bool rotation_locked = false;
-    std::string material;  ///< key of Scene::materials; empty: Scene::material
-    std::string name;      ///< of a listed block; empty: none
-    int layer = 0;         ///< from 1 at the base; 0: in no layer
-    int level = 0;         ///< from 1 at the base: the layer, or by height
+    std::string material;           ///< key of Scene::materials; empty: Scene::material
+    std::optional<double> density;  ///< default: that of the material [kg/m³]
+    std::string name;               ///< of a listed block; empty: none
+    int layer = 0;                  ///< from 1 at the base; 0: in no layer
+    int level = 0;                  ///< from 1 at the base: the layer, or by height
 
     /// Edge lengths of the block itself, its own height included [m].
     Vector3 own_size() const { return {size.x(), size.y(), size.z() + height_offset}; }
+    /// Edges of the box along the world's axes that holds it [m].
+    Vector3 extent() const;
 };
 
 /// All blocks of a structure and its spine.

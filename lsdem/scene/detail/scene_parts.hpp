@@ -21,10 +21,23 @@ struct StiffnessBase {
     bool presets_keep_own = false;  ///< do stiffnesses of a preset belong to the base of its own block, and per area stay what they are?
 };
 
+/// Finds the base of a scene when it is first needed: a shape may have to be read from a file for it, and stiffnesses in N/m need none.
+class FindStiffnessBase {
+  public:
+    explicit FindStiffnessBase(const Scene& scene) : scene_(&scene) {}
+    explicit FindStiffnessBase(const StiffnessBase& known) : found_(known) {}
+
+    const StiffnessBase& operator()() const;
+
+  private:
+    const Scene* scene_ = nullptr;
+    mutable std::optional<StiffnessBase> found_;
+};
+
 /// "material": the name of a preset, or its properties. Stiffnesses per area become those of the base.
-BlockMaterial parse_material(const scaling::JsonReader& value, const StiffnessBase& base);
+BlockMaterial parse_material(const scaling::JsonReader& value, const FindStiffnessBase& base);
 /// "pairs", of materials.
-std::vector<PairEntry> parse_pairs(const scaling::JsonReader& list, const StiffnessBase& base);
+std::vector<PairEntry> parse_pairs(const scaling::JsonReader& list, const FindStiffnessBase& base);
 /// "shape".
 ShapeSettings parse_shape(const scaling::JsonReader& value);
 /// "shapes", by name.
@@ -49,7 +62,7 @@ void read_value(const scaling::JsonReader& json, std::array<scaling::Time, 2>& w
 void read_value(const scaling::JsonReader& json, ShapeAxis& axis);
 /// Three factors, or one for all.
 void read_value(const scaling::JsonReader& json, std::array<double, 3>& scale);
-void read_value(const scaling::JsonReader& json, MeshPart& part);
+void read_value(const scaling::JsonReader& json, ChosenPart& part);
 void read_value(const scaling::JsonReader& json, std::vector<std::array<scaling::Length, 2>>& outline);
 void read_value(const scaling::JsonReader& json, std::vector<Triple<scaling::Length>>& points);
 void read_value(const scaling::JsonReader& json, std::vector<std::vector<std::uint32_t>>& faces);
