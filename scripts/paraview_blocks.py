@@ -1,9 +1,10 @@
-"""Shows the blocks of a run in ParaView 5.9 or later: oriented boxes in the colour of their velocity along x.
+"""Shows the blocks of a run in ParaView 5.9 or later in the colour of their velocity along x: true shapes, or oriented boxes.
 
 In the program:  MUSIM_RESULTS=out/tower paraview --script=/usr/share/musim/paraview_blocks.py
 As a picture:    pvpython /usr/share/musim/paraview_blocks.py out/tower picture.png [TIME]   (without a display: xvfb-run pvpython ...)
-By hand: open result.xdmf with the "XDMF Reader" (not Xdmf3), representation "3D Glyphs", glyph type Box, orientation mode Quaternion by
-"quaternion", scale mode Vector Components by "size [m]", scale factor 1.
+By hand: open result.xdmf with the "XDMF Reader" (not Xdmf3). Blocks of any shape are surfaces, shown as they are. Where all are boxes they are
+points: representation "3D Glyphs", glyph type Box, orientation mode Quaternion by "quaternion", scale mode Vector Components by "size [m]",
+scale factor 1.
 """
 import os
 import sys
@@ -21,22 +22,27 @@ view = simple.GetActiveViewOrCreate("RenderView")
 view.ViewTime = float(sys.argv[3]) if len(sys.argv) > 3 else times[len(times) // 2]
 reader.UpdatePipeline(view.ViewTime)
 
-boxes = simple.Show(reader, view)
-boxes.SetRepresentationType("3D Glyphs")
-boxes.GlyphType = "Box"
-boxes.Orient = 1
-boxes.OrientationMode = "Quaternion"
-boxes.SelectOrientationVectors = "quaternion"
-boxes.Scaling = 1
-boxes.ScaleMode = "Vector Components"
-boxes.SelectScaleArray = "size [m]"
-boxes.ScaleFactor = 1.0
-if reader.PointData.GetArray("velocity [m/s]") is not None:
-    simple.ColorBy(boxes, ("POINTS", "velocity [m/s]", "X"))
-    low, high = reader.PointData["velocity [m/s]"].GetRange(0)
+blocks = simple.Show(reader, view)
+are_shapes = reader.CellData.GetArray("block") is not None
+if are_shapes:
+    blocks.SetRepresentationType("Surface With Edges")
+else:
+    blocks.SetRepresentationType("3D Glyphs")
+    blocks.GlyphType = "Box"
+    blocks.Orient = 1
+    blocks.OrientationMode = "Quaternion"
+    blocks.SelectOrientationVectors = "quaternion"
+    blocks.Scaling = 1
+    blocks.ScaleMode = "Vector Components"
+    blocks.SelectScaleArray = "size [m]"
+    blocks.ScaleFactor = 1.0
+data = reader.CellData if are_shapes else reader.PointData
+if data.GetArray("velocity [m/s]") is not None:
+    simple.ColorBy(blocks, ("CELLS" if are_shapes else "POINTS", "velocity [m/s]", "X"))
+    low, high = data["velocity [m/s]"].GetRange(0)
     limit = max(abs(low), abs(high)) or 1.0
     simple.GetColorTransferFunction("velocity [m/s]").RescaleTransferFunction(-limit, limit)
-    boxes.SetScalarBarVisibility(view, True)
+    blocks.SetScalarBarVisibility(view, True)
 
 low_x, high_x, low_y, high_y, low_z, high_z = reader.GetDataInformation().GetBounds()
 middle = [0.5 * (low_x + high_x), 0.5 * (low_y + high_y), 0.5 * (low_z + high_z)]

@@ -46,7 +46,7 @@ class Hdf5Reader {
     /// Number of values in the list `path`.
     template <class Value>
     hsize_t count(const std::string& path, const std::vector<Value>& /*values*/) const {
-        return read<typename Hdf5Numbers<Value>::Number>(path, 1).shape[0];
+        return read<typename Hdf5Numbers<Value>::Number>(path, shape_of<Value>({0}).size()).shape[0];
     }
     /// Layers or levels of a structure of so many blocks, from 1; 0 for what is in none. Throws ResultError for any other.
     std::vector<int> layers(const std::string& path, std::size_t blocks) const;

@@ -11,6 +11,7 @@
 #include "lsdem/block_reach.hpp"
 #include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/base_change.hpp"
+#include "lsdem/results/block_shapes.hpp"
 #include "lsdem/results/rest.hpp"
 #include "lsdem/scene/spine.hpp"
 #include "lsdem/types.hpp"
@@ -70,12 +71,12 @@ struct BlockTable {
     std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
     /// Names of listed blocks, empty for those without one; no entries for blocks of columns, towers and walls.
     std::vector<std::string> name = {};
-    std::vector<std::shared_ptr<const Solid>> solids = {};  ///< of blocks that are neither boxes nor spheres, each once, body frame [m]
-    std::vector<int> solid = {};                            ///< of every block: index into `solids`, -1 of a box or sphere; empty: all are
+    BlockShapes shapes = {};  ///< of blocks that are no boxes
 
     /// Solid of a block; none of a box or a sphere.
     const Solid* find_solid(std::size_t block) const {
-        return block < solid.size() && solid[block] >= 0 ? solids[static_cast<std::size_t>(solid[block])].get() : nullptr;
+        const BlockShape* shape = shapes.find(block);
+        return shape != nullptr && shape->radius == 0.0 ? &shape->solid : nullptr;
     }
     /// How far a block reaches in an orientation, body to world.
     BlockReach find_reach(std::size_t block, const Quaternion& orientation) const {

@@ -149,6 +149,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     };
     take([&] { read_energies(file, run.history.samples(), run.history.energy); });
     take([&] { read_names(file, run); });
+    take([&] { detail::exchange_shapes(file, run.blocks.mass.size(), run.blocks.shapes); });
     take([&] { read_falls(file, run); });
     take([&] { read_origin(file, run); });
     take([&] { read_losses(file, run); });

@@ -78,6 +78,36 @@ void exchange_blocks(File& file, Run& run) {
     file.exchange("/blocks/final_quaternion", {n}, run.final.orientation, "1");
 }
 
+/// A shape as lists: its faces, piece by piece, and their corners.
+struct ShapeLists {
+    std::vector<Vector3> corners;           ///< [m]
+    std::vector<std::size_t> first;         ///< of a face's corners in `face_corners`
+    std::vector<std::size_t> face_corners;  ///< into `corners`: counter-clockwise seen from outside
+    std::vector<std::size_t> piece;         ///< convex piece that a face is of
+    std::vector<int> outer;                 ///< 1: the face is part of the surface; 0: it lies between two pieces
+    std::vector<double> radius;             ///< of a ball, whose surface the faces stand for [m]; 0: there is none
+
+    /// Lists of a shape.
+    static ShapeLists of(const BlockShape& shape);
+    /// The shape of these lists. Throws std::invalid_argument where they make none.
+    BlockShape make(const std::string& name) const;
+};
+
+template <class File, class Lists>
+void exchange_shape(File& file, const std::string& group, Lists& lists) {
+    file.exchange(group + "/corners", {file.count(group + "/corners", lists.corners)}, lists.corners, "m");
+    const hsize_t faces = file.count(group + "/face_first", lists.first);
+    file.exchange(group + "/face_first", {faces}, lists.first, "1");
+    file.exchange(group + "/face_corners", {file.count(group + "/face_corners", lists.face_corners)}, lists.face_corners, "1");
+    file.exchange(group + "/face_piece", {faces}, lists.piece, "1");
+    file.exchange(group + "/face_outer", {faces}, lists.outer, "1");
+    file.exchange(group + "/radius", {1}, lists.radius, "m");
+}
+
+/// Shapes of blocks that are no boxes, where there are any. Reading throws ResultError of what is no shape.
+void exchange_shapes(Hdf5File& file, hsize_t blocks, const BlockShapes& shapes);
+void exchange_shapes(const Hdf5Reader& file, hsize_t blocks, BlockShapes& shapes);
+
 /// Which blocks begin in the air, where any does.
 inline void exchange_airborne(Hdf5File& file, hsize_t blocks, const Falls& falls) {
     const bool any = std::find(falls.airborne.begin(), falls.airborne.end(), 1) != falls.airborne.end();

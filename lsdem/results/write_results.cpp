@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "lsdem/results/result_layout.hpp"
 #include "lsdem/results/staged_files.hpp"
 #include "lsdem/results/summary.hpp"
+#include "lsdem/results/write_xdmf.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -31,6 +31,7 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     for (Energy& energy : energies) energy.elastic_normal += energy.elastic_shear;
     detail::exchange_energies(file, energies);
     detail::exchange_blocks(file, run);
+    detail::exchange_shapes(file, n, run.blocks.shapes);
     if (run.blocks.is_listed()) file.write_texts("/blocks/name", run.blocks.name);
     if (!run.falls.time.empty()) detail::exchange_falls(file, n, run.falls, !run.falls.at_collapse.empty());
     if (std::optional<StageOrigin> origin = run.origin) detail::exchange_origin(file, n, *origin);
@@ -39,72 +40,12 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
         file.exchange("/frames/time", {frames.time.size()}, std::vector<float>(frames.time.begin(), frames.time.end()), "s");
         detail::exchange_frames(file, n, frames, !frames.contact_force.empty());
     }
+    if (run.blocks.shapes.any()) detail::write_surface(file, detail::list_surface(run.blocks));
     file.write_attribute("scene", header.scene);
     file.write_attribute("similitude", run.similitude.is_identity() ? "null" : to_json(run.similitude).dump());
     file.write_attribute("program_version", header.program_version);
     file.write_attribute("state_hash", run.state_hash);
     return file.image();
-}
-
-/// One instant in XDMF: the blocks as points, with whatever `attributes` describes.
-std::string xdmf_grid(double time, std::size_t blocks, const std::string& points, const std::string& attributes) {
-    return fmt::format(
-        "  <Grid Name=\"blocks\">\n   <Time Value=\"{}\"/>\n   <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n"
-        "   <Geometry GeometryType=\"XYZ\">{}</Geometry>\n{}  </Grid>\n",
-        time, blocks, points, attributes);
-}
-
-std::string xdmf_attribute(std::string_view name, std::string_view type, const std::string& data) {
-    return fmt::format("   <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n", name, type, data);
-}
-
-/// A dataset of n rows.
-std::string xdmf_data(std::string_view path, std::size_t n, int width, int precision) {
-    return fmt::format("<DataItem Dimensions=\"{} {}\" NumberType=\"Float\" Precision=\"{}\" Format=\"HDF\">result.h5:{}</DataItem>", n,
-                       width, precision, path);
-}
-
-/// Row `k` of a dataset of frames.
-std::string xdmf_frame(std::string_view path, std::size_t k, std::size_t frames, std::size_t n, int width) {
-    return fmt::format(
-        "<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {2} {3}\"><DataItem Dimensions=\"3 3\" Format=\"XML\">{0} 0 0 1 1 1 1 {2} {3}"
-        "</DataItem><DataItem Dimensions=\"{1} {2} {3}\" NumberType=\"Float\" Precision=\"4\" "
-        "Format=\"HDF\">result.h5:{4}</DataItem></DataItem>",
-        k, frames, n, width, path);
-}
-
-/// Likewise of one number per block.
-std::string xdmf_frame_of_numbers(std::string_view path, std::size_t k, std::size_t frames, std::size_t n) {
-    return fmt::format(
-        "<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {2}\"><DataItem Dimensions=\"3 2\" Format=\"XML\">{0} 0 1 1 1 {2}"
-        "</DataItem><DataItem Dimensions=\"{1} {2}\" NumberType=\"Float\" Precision=\"4\" "
-        "Format=\"HDF\">result.h5:{3}</DataItem></DataItem>",
-        k, frames, n, path);
-}
-
-/// Frames when the run kept any, else its first and last instant.
-std::string make_xdmf(const RunResult& run) {
-    const std::size_t n = run.blocks.mass.size();
-    const std::string size = xdmf_attribute("size [m]", "Vector", xdmf_data("/blocks/size", n, 3, 8));
-    std::string grids;
-    const std::size_t frames = run.frames.time.size();
-    const auto force = [&](std::size_t k) {
-        return run.frames.contact_force.empty()
-                   ? std::string()
-                   : xdmf_attribute("contact force [N]", "Scalar", xdmf_frame_of_numbers("/frames/contact_force", k, frames, n));
-    };
-    for (std::size_t k = 0; k < frames; ++k) {
-        grids += xdmf_grid(run.frames.time[k], n, xdmf_frame("/frames/position", k, frames, n, 3),
-                           size + xdmf_attribute("velocity [m/s]", "Vector", xdmf_frame("/frames/velocity", k, frames, n, 3)) +
-                               xdmf_attribute("quaternion", "Matrix", xdmf_frame("/frames/quaternion", k, frames, n, 4)) + force(k));
-    }
-    if (frames == 0) {
-        const auto turn = [&](const char* path) { return xdmf_attribute("quaternion", "Matrix", xdmf_data(path, n, 4, 8)); };
-        grids += xdmf_grid(run.initial.time, n, xdmf_data("/blocks/initial_position", n, 3, 8), size + turn("/blocks/initial_quaternion"));
-        grids += xdmf_grid(run.final.time, n, xdmf_data("/blocks/final_position", n, 3, 8), size + turn("/blocks/final_quaternion"));
-    }
-    return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n  <Grid GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
-           grids + "  </Grid>\n </Domain>\n</Xdmf>\n";
 }
 
 /// Time, base velocity and the velocity of every spine block, in SI; each number reads back as the same double.
@@ -142,7 +83,7 @@ void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResu
     if (!run.similitude.is_identity()) summary["similitude"] = to_json(run.similitude);
 
     files_.write(subfolder / "result.h5", {hdf5.data(), hdf5.size()});
-    files_.write(subfolder / "result.xdmf", make_xdmf(run));
+    files_.write(subfolder / "result.xdmf", detail::make_xdmf(run));
     files_.write(subfolder / "spine.csv", make_spine_csv(run));
     files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
 }

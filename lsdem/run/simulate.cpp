@@ -179,19 +179,14 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
 BlockTable make_block_table(const Specimen& specimen) {
     const Model& model = specimen.model;
     BlockTable table;
-    std::vector<int> solid_of_shape;
-    for (const Shape& shape : model.shapes) {
-        solid_of_shape.push_back(shape.solid ? static_cast<int>(table.solids.size()) : -1);
-        if (shape.solid) table.solids.push_back(shape.solid);
-    }
     for (const Block& block : model.blocks) {
         table.size.emplace_back(2.0 * half_extents(model, block));
         table.mass.push_back(block.mass);
-        if (!table.solids.empty()) table.solid.push_back(solid_of_shape[block.shape]);
     }
     table.layer = specimen.level.empty() ? specimen.layer : specimen.level;
     table.layer.resize(table.mass.size(), 0);
     table.name = specimen.name;
+    table.shapes = list_block_shapes(model, {});
     return table;
 }
 

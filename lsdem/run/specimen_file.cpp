@@ -13,6 +13,7 @@
 #include "lsdem/results/checksum.hpp"
 #include "lsdem/results/hdf5_reader.hpp"
 #include "lsdem/results/result_error.hpp"
+#include "lsdem/results/result_layout.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "records/atomic_file.hpp"
 
@@ -148,6 +149,7 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     const hsize_t blocks = model.blocks.size(), contacts = model.preload.size();
     detail::Hdf5File out;
     out.exchange("/blocks/size", {blocks}, size, "m");
+    detail::exchange_shapes(out, blocks, make_block_table(prepared.specimen).shapes);
     out.exchange("/blocks/height_offset", {blocks}, offset, "m");
     out.exchange("/blocks/layer", {blocks}, prepared.specimen.layer, "1");
     out.exchange("/blocks/position", {blocks}, position, "m");
@@ -180,6 +182,7 @@ StoredSpecimen read_specimen(const std::filesystem::path& file) {
     if (!specimen) refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
     specimen->inputs = reader.attribute("inputs");
     specimen->program_version = reader.attribute("program_version");
+    detail::exchange_shapes(reader, tilt.size(), specimen->shapes);
     specimen->tilt = std::move(tilt);
     if (reader.has("/blocks/fallen")) {
         const auto fallen = reader.read<long long>("/blocks/fallen", 1).values;

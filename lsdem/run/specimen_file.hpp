@@ -28,6 +28,7 @@ struct StoredSpecimen {
     std::string program_version;  ///< that made it
     std::vector<Vector3> size;    ///< edge lengths in the body frame [m]
     std::vector<int> layer;       ///< from 1 at the base; 0: in no layer
+    BlockShapes shapes;           ///< of blocks that are no boxes
     Kinematics places;            ///< poses only
     std::vector<double> tilt;     ///< of each block's own z axis from the vertical [rad]
     /// Blocks that fell while it was prepared (find_fallen); nothing in files of versions before it was kept.

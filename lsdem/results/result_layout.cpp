@@ -1,0 +1,114 @@
+#include "lsdem/results/result_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace musim::lsdem::detail {
+namespace {
+
+std::string group_of(std::size_t shape) { return fmt::format("/shapes/{}", shape); }
+
+/// Corners of a face, into those of the shape.
+std::span<const std::size_t> find_corners(const ShapeLists& lists, std::size_t face) {
+    const std::size_t begin = lists.first[face], end = face + 1 < lists.first.size() ? lists.first[face + 1] : lists.face_corners.size();
+    if (begin > end || end > lists.face_corners.size()) throw std::invalid_argument("its faces have no corners of their own");
+    return std::span(lists.face_corners).subspan(begin, end - begin);
+}
+
+/// A convex piece of a shape: the faces from `begin` to `end`.
+Polyhedron make_piece(const ShapeLists& lists, std::size_t begin, std::size_t end) {
+    std::map<std::size_t, std::uint32_t> number;  // of the piece's corners, by those of the shape
+    for (std::size_t f = begin; f < end; ++f) {
+        for (const std::size_t corner : find_corners(lists, f)) number[corner] = 0;
+    }
+    std::vector<Vector3> corners;
+    for (auto& [of_shape, of_piece] : number) {
+        if (of_shape >= lists.corners.size()) throw std::invalid_argument("a face names a corner that is not there");
+        of_piece = static_cast<std::uint32_t>(corners.size());
+        corners.push_back(lists.corners[of_shape]);
+    }
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::size_t f = begin; f < end; ++f) {
+        std::vector<std::uint32_t>& face = faces.emplace_back();
+        for (const std::size_t corner : find_corners(lists, f)) face.push_back(number.at(corner));
+    }
+    Polyhedron piece = make_polyhedron(std::move(corners), faces);
+    for (std::size_t f = begin; f < end; ++f) piece.faces[f - begin].outer = lists.outer[f] != 0;
+    return piece;
+}
+
+}  // namespace
+
+ShapeLists ShapeLists::of(const BlockShape& shape) {
+    ShapeLists lists;
+    for (std::size_t p = 0; p < shape.solid.pieces.size(); ++p) {
+        const Polyhedron& piece = shape.solid.pieces[p];
+        const std::size_t before = lists.corners.size();
+        lists.corners.insert(lists.corners.end(), piece.corners.begin(), piece.corners.end());
+        for (const Polyhedron::Face& face : piece.faces) {
+            lists.first.push_back(lists.face_corners.size());
+            for (const std::uint32_t corner : piece.loop(face)) lists.face_corners.push_back(before + corner);
+            lists.piece.push_back(p);
+            lists.outer.push_back(face.outer ? 1 : 0);
+        }
+    }
+    lists.radius = {shape.radius};
+    return lists;
+}
+
+BlockShape ShapeLists::make(const std::string& name) const {
+    const auto is_place = [](const Vector3& corner) { return corner.allFinite(); };
+    if (!std::all_of(corners.begin(), corners.end(), is_place)) throw std::invalid_argument("a corner is no place");
+    if (!(radius.front() >= 0.0)) throw std::invalid_argument("its radius is none");
+    BlockShape shape{.name = name, .solid = {}, .radius = radius.front()};
+    for (std::size_t f = 0; f < first.size();) {
+        const auto end =
+            std::find_if(piece.begin() + static_cast<std::ptrdiff_t>(f), piece.end(), [&](std::size_t p) { return p != piece[f]; });
+        const auto next = static_cast<std::size_t>(end - piece.begin());
+        shape.solid.pieces.push_back(make_piece(*this, f, next));
+        f = next;
+    }
+    if (shape.solid.pieces.empty()) throw std::invalid_argument("it has no faces");
+    return shape;
+}
+
+void exchange_shapes(Hdf5File& file, hsize_t blocks, const BlockShapes& shapes) {
+    if (!shapes.any()) return;
+    file.exchange("/blocks/shape", {blocks}, shapes.of_block, "1");
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < shapes.list.size(); ++k) {
+        const ShapeLists lists = ShapeLists::of(*shapes.list[k]);
+        exchange_shape(file, group_of(k), lists);
+        names.push_back(shapes.list[k]->name);
+    }
+    file.write_texts("/shapes/name", names);
+}
+
+void exchange_shapes(const Hdf5Reader& file, hsize_t blocks, BlockShapes& shapes) {
+    if (!file.has("/blocks/shape")) return;
+    BlockShapes read;
+    file.exchange("/blocks/shape", {blocks}, read.of_block, "1");
+    const std::vector<std::string> names = file.texts("/shapes/name");
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        ShapeLists lists;
+        exchange_shape(file, group_of(k), lists);
+        try {
+            read.list.push_back(std::make_shared<const BlockShape>(lists.make(names[k])));
+        } catch (const std::invalid_argument& error) {
+            file.fail(fmt::format("{} is no shape: {}", group_of(k), error.what()));
+        }
+    }
+    for (const int shape : read.of_block) {
+        if (shape < -1 || shape >= static_cast<int>(names.size())) file.fail("/blocks/shape names a shape that is not there");
+    }
+    shapes = std::move(read);
+}
+
+}  // namespace musim::lsdem::detail
