@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,68 +12,26 @@ namespace {
 
 constexpr double kViewMargin = 0.05;  ///< around the structure, of its larger side
 
-/// Depth at which a ray along the third axis through (u, z) leaves a block toward the camera; nothing (−∞) when it misses.
-double find_depth(const SeenBlock& seen, double u, double z) {
-    const Vector3 origin = seen.turn.transpose() * Vector3(u - seen.center.x(), z - seen.center.y(), -seen.center.z());
-    const Vector3 direction = seen.turn.transpose() * Vector3::UnitZ();
-    double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] == 0.0) {
-            if (std::abs(origin[axis]) > seen.half[axis]) return -std::numeric_limits<double>::infinity();
-            continue;
-        }
-        double first = (-seen.half[axis] - origin[axis]) / direction[axis], second = (seen.half[axis] - origin[axis]) / direction[axis];
-        if (first > second) std::swap(first, second);
-        enter = std::max(enter, first);
-        leave = std::min(leave, second);
-    }
-    return enter <= leave ? leave : -std::numeric_limits<double>::infinity();
-}
-
-/// Half extents in the image plane.
-Vector3 find_extent(const SeenBlock& seen) { return seen.turn.cwiseAbs() * seen.half; }
-
 }  // namespace
 
-CameraAxes find_camera_axes(CameraSide side) {
+SpaceView look_from(CameraSide side) {
     Vector3 toward = Vector3::Zero();
     toward[side == CameraSide::plus_x || side == CameraSide::minus_x ? 0 : 1] =
         side == CameraSide::plus_x || side == CameraSide::plus_y ? 1.0 : -1.0;
-    return {Vector3::UnitZ().cross(toward), toward};
+    return {.right = Vector3::UnitZ().cross(toward), .up = Vector3::UnitZ(), .toward = toward};
 }
 
-SeenBlock look_at_block(const StoredRun& run, std::size_t frame, std::size_t block, const CameraAxes& axes) {
-    const std::size_t at = frame * run.blocks.size.size() + block;
-    const Eigen::Vector4d q = run.frames.quaternion[at].cast<double>();
-    Matrix3 image;
-    image << axes.right.transpose(), Vector3::UnitZ().transpose(), axes.toward.transpose();
-    return {image * run.frames.position[at].cast<double>(), 0.5 * run.blocks.size[block],
-            image * Quaternion(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix()};
-}
+FrameBlocks::FrameBlocks(const StoredRun& run) : run_(run), shapes_(list_drawn_shapes(run.blocks.shapes, run.blocks.size)) {}
 
-std::vector<Eigen::Vector2d> find_outline(const SeenBlock& seen) {
-    std::vector<std::array<double, 2>> corners;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vector3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
-        const Vector3 place = seen.center + seen.turn * seen.half.cwiseProduct(sign);
-        corners.push_back({place.x(), place.y()});
+std::vector<PlacedSolid> FrameBlocks::place(std::size_t frame) const {
+    std::vector<PlacedSolid> solids;
+    for (std::size_t b = 0; b < shapes_.size(); ++b) {
+        const std::size_t at = frame * shapes_.size() + b;
+        const Eigen::Vector4d q = run_.frames.quaternion[at].cast<double>();
+        solids.push_back({&shapes_[b]->solid,
+                          {Quaternion(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(), run_.frames.position[at].cast<double>()}});
     }
-    std::sort(corners.begin(), corners.end());
-    std::vector<Eigen::Vector2d> hull;
-    const auto add = [&](const std::array<double, 2>& corner, std::size_t least) {
-        const Eigen::Vector2d next(corner[0], corner[1]);
-        while (hull.size() > least) {
-            const Eigen::Vector2d a = hull.back() - hull[hull.size() - 2], b = next - hull.back();
-            if (a.x() * b.y() - a.y() * b.x() > 0.0) break;
-            hull.pop_back();
-        }
-        hull.push_back(next);
-    };
-    for (const auto& corner : corners) add(corner, 1);
-    const std::size_t lower = hull.size();
-    for (auto corner = std::next(corners.rbegin()); corner != corners.rend(); ++corner) add(*corner, lower);
-    hull.pop_back();
-    return hull;
+    return solids;
 }
 
 CameraSide find_side_facing(int axis) { return axis == 1 ? CameraSide::plus_x : CameraSide::minus_y; }
@@ -102,56 +59,37 @@ std::size_t find_frame(const StoredRun& run, double time) {
 }
 
 CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSettings& settings) {
-    const CameraAxes axes = find_camera_axes(settings.side);
-    const std::size_t blocks = run.blocks.size.size();
+    const SpaceView view = look_from(settings.side);
+    const FrameBlocks blocks(run);
 
     // the image holds the structure as it was in the first frame
-    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        const SeenBlock seen = look_at_block(run, 0, b, axes);
-        const Vector3 extent = find_extent(seen);
-        low = low.cwiseMin((seen.center - extent).head<2>());
-        high = high.cwiseMax((seen.center + extent).head<2>());
-    }
-    const double margin = kViewMargin * (high - low).maxCoeff();
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    ViewBounds bounds{kFar, -kFar, kFar, -kFar};
+    for (const PlacedSolid& block : blocks.place(0)) bounds = unite(bounds, find_bounds(*block.solid, block.place, view));
+    const double margin = kViewMargin * std::max(bounds.width(), bounds.height());
     CameraImage image{.time = run.frames.time[frame],
-                      .left = low.x() - margin,
-                      .bottom = low.y() - margin,
-                      .pixel = (high.x() - low.x() + 2.0 * margin) / static_cast<double>(settings.columns),
+                      .left = bounds.left - margin,
+                      .bottom = bounds.bottom - margin,
+                      .pixel = (bounds.width() + 2.0 * margin) / static_cast<double>(settings.columns),
                       .columns = settings.columns,
                       .rows = 0};
-    image.rows = static_cast<std::size_t>(std::ceil((high.y() - low.y() + 2.0 * margin) / image.pixel));
-    image.block.assign(image.columns * image.rows, -1);
-    std::vector<double> depth(image.block.size(), -std::numeric_limits<double>::infinity());
+    image.rows = static_cast<std::size_t>(std::ceil((bounds.height() + 2.0 * margin) / image.pixel));
 
-    // every block on the pixels of its bounding rectangle
-    const auto clamp_to = [](double place, std::size_t count) {
-        return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count)));
-    };
-    for (std::size_t b = 0; b < blocks; ++b) {
-        const SeenBlock seen = look_at_block(run, frame, b, axes);
-        const Vector3 extent = find_extent(seen);
-        const std::size_t left = clamp_to((seen.center.x() - extent.x() - image.left) / image.pixel, image.columns);
-        const std::size_t right = clamp_to((seen.center.x() + extent.x() - image.left) / image.pixel + 1.0, image.columns);
-        const std::size_t bottom = clamp_to((seen.center.y() - extent.y() - image.bottom) / image.pixel, image.rows);
-        const std::size_t top = clamp_to((seen.center.y() + extent.y() - image.bottom) / image.pixel + 1.0, image.rows);
-        for (std::size_t row = bottom; row < top; ++row) {
-            for (std::size_t column = left; column < right; ++column) {
-                const double d = find_depth(seen, image.left + (static_cast<double>(column) + 0.5) * image.pixel,
-                                            image.bottom + (static_cast<double>(row) + 0.5) * image.pixel);
-                const std::size_t at = row * image.columns + column;
-                if (d <= depth[at]) continue;
-                depth[at] = d;
-                image.block[at] = static_cast<int>(b);
-            }
-        }
+    const std::vector<SeenFace> faces = list_faces(blocks.place(frame), view);
+    const PointGrid middles{.left = image.left + 0.5 * image.pixel,
+                            .bottom = image.bottom + 0.5 * image.pixel,
+                            .spacing = image.pixel,
+                            .columns = image.columns,
+                            .rows = image.rows};
+    for (const std::size_t face : find_nearest_faces(faces, middles)) {
+        image.block.push_back(face == kNoFace ? -1 : static_cast<int>(faces[face].body));
     }
     return image;
 }
 
 double find_velocity(const StoredRun& run, std::size_t frame, std::size_t block, CameraSide side, FieldComponent component) {
     const Vector3 v = run.frames.velocity[frame * run.blocks.size.size() + block].cast<double>();
-    const double right = v.dot(find_camera_axes(side).right);
+    const double right = v.dot(look_from(side).right);
     switch (component) {
         case FieldComponent::right:
             return right;

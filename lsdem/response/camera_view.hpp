@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "lsdem/plot/space_view.hpp"
 #include "lsdem/results/read_results.hpp"
 
 /// The velocity field of a structure as a camera far in front of it sees it [Andrade22; Harmon23, Figs. 5 to 7 of the experiments].
@@ -32,23 +34,21 @@ struct CameraSettings {
     std::size_t columns = 240;  ///< pixels across the image, which holds the structure at its start with a margin of 5 %
 };
 
-/// Directions of an image: to the right, and from the structure to the camera.
-struct CameraAxes {
-    Vector3 right, toward;
+/// Directions of an image.
+SpaceView look_from(CameraSide side);
+
+/// Blocks of a run as they lie in a frame.
+class FrameBlocks {
+  public:
+    explicit FrameBlocks(const StoredRun& run);
+
+    /// Solids of all blocks, in their order.
+    std::vector<PlacedSolid> place(std::size_t frame) const;
+
+  private:
+    const StoredRun& run_;
+    std::vector<std::shared_ptr<const BlockShape>> shapes_;
 };
-
-CameraAxes find_camera_axes(CameraSide side);
-
-/// A block as the camera sees it: places in the image plane and depth toward the camera.
-struct SeenBlock {
-    Vector3 center, half;
-    Matrix3 turn;  ///< body to image axes (right, z, toward)
-};
-
-SeenBlock look_at_block(const StoredRun& run, std::size_t frame, std::size_t block, const CameraAxes& axes);
-
-/// Outline of a block in the image plane: the convex hull of its corners, counterclockwise [monotone chain].
-std::vector<Eigen::Vector2d> find_outline(const SeenBlock& seen);
 
 /// Throws ResultError when the run has kept no frames.
 void require_frames(const StoredRun& run);
@@ -57,7 +57,7 @@ void require_frames(const StoredRun& run);
 /// interval before the first one or behind the last.
 std::size_t find_frame(const StoredRun& run, double time);
 
-/// Looks at a frame: every pixel takes the nearest block that a ray through its middle meets. All blocks are looked at as boxes.
+/// Looks at a frame: every pixel takes the nearest block that a ray through its middle meets.
 CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSettings& settings);
 
 /// Velocity of a block in a frame, in the image plane [m/s].

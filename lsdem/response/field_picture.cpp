@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "lsdem/plot/solid_edges.hpp"
 #include "lsdem/plot/svg.hpp"
 #include "lsdem/response/color_map.hpp"
 #include "scaling/interruption.hpp"
@@ -104,15 +105,18 @@ class FieldPanel {
             fmt::format("<clipPath id=\"panel{4}\"><rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\"/></clipPath>\n",
                         left_, top_, grid_.width, grid_.height, panel);
         svg += fmt::format("<g clip-path=\"url(#panel{})\" stroke=\"#444\" stroke-width=\"0.35\" stroke-linejoin=\"round\">\n", panel);
-        const CameraAxes axes = find_camera_axes(picture_.side);
-        const ColorRange colors = find_colors(picture_);
-        for (const auto& [depth, block] : sort_seen(axes)) {
-            std::string points;
-            for (const Eigen::Vector2d& corner : find_outline(look_at_block(run_, view_.frame, block, axes))) {
-                fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", to_x(corner.x()), to_y(corner.y()));
+        const FrameBlocks blocks(run_);
+        const std::vector<PlacedSolid> solids = blocks.place(view_.frame);
+        const std::vector<SeenPiece> pieces = list_pieces(solids, look_from(picture_.side));
+        std::size_t clips = 0;
+        for (const DrawnPart& part : sort_by_depth(pieces, list_seen(pieces))) {
+            if (!part.within.empty()) {
+                svg += fmt::format(
+                    "<clipPath id=\"panel{0}-{1}\"><polygon points=\"{2}\"/></clipPath>\n<g clip-path=\"url(#panel{0}-{1})\">\n", panel,
+                    clips++, write_points(part.within));
             }
-            const double value = find_velocity(run_, view_.frame, block, picture_.side, picture_.component);
-            svg += fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", points, colors(value));
+            draw_piece(svg, pieces[part.piece], *solids[pieces[part.piece].body].solid);
+            if (!part.within.empty()) svg += "</g>\n";
         }
         svg += "</g>\n";
     }
@@ -147,17 +151,42 @@ class FieldPanel {
     double to_x(double right) const { return left_ + grid_.offset + (right - view_.image.left) * grid_.scale; }
     double to_y(double z) const { return top_ + grid_.height - (z - view_.image.bottom) * grid_.scale; }
 
-    /// The blocks that some pixel sees with their depth, the farthest first.
-    std::vector<std::pair<double, std::size_t>> sort_seen(const CameraAxes& axes) const {
-        std::vector<int> visible(view_.image.block);
-        std::sort(visible.begin(), visible.end());
-        visible.erase(std::unique(visible.begin(), visible.end()), visible.end());
-        std::vector<std::pair<double, std::size_t>> order;
-        for (const int block : visible) {
-            if (block >= 0) order.emplace_back(look_at_block(run_, view_.frame, static_cast<std::size_t>(block), axes).center.z(), block);
+    /// Pieces of the blocks that some pixel sees.
+    std::vector<std::size_t> list_seen(const std::vector<SeenPiece>& pieces) const {
+        std::vector<bool> seen(run_.blocks.size.size(), false);
+        for (const int block : view_.image.block) {
+            if (block >= 0) seen[static_cast<std::size_t>(block)] = true;
         }
-        std::sort(order.begin(), order.end());
-        return order;
+        std::vector<std::size_t> list;
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            if (seen[pieces[p].body]) list.push_back(p);
+        }
+        return list;
+    }
+
+    /// In the colour of its block's velocity; of a compound with lines only where its surface ends.
+    void draw_piece(std::string& svg, const SeenPiece& piece, const Solid& solid) const {
+        const double value = find_velocity(run_, view_.frame, piece.body, picture_.side, picture_.component);
+        const std::string points = write_points(piece.outline), color = find_colors(picture_)(value);
+        if (solid.is_convex()) {
+            svg += fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", points, color);
+            return;
+        }
+        svg += fmt::format("<polygon points=\"{0}\" fill=\"{1}\" stroke=\"{1}\"/>\n<path d=\"", points, color);
+        const auto number = static_cast<std::size_t>(piece.piece - solid.pieces.data());
+        for (const auto& line : find_silhouette(piece, find_edges(solid).drawn[number])) {
+            fmt::format_to(std::back_inserter(svg), "M{:.2f},{:.2f} L{:.2f},{:.2f} ", to_x(line[0].x()), to_y(line[0].y()),
+                           to_x(line[1].x()), to_y(line[1].y()));
+        }
+        svg += "\"/>\n";
+    }
+
+    std::string write_points(const std::vector<Eigen::Vector2d>& corners) const {
+        std::string points;
+        for (const Eigen::Vector2d& corner : corners) {
+            fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", to_x(corner.x()), to_y(corner.y()));
+        }
+        return points;
     }
 
     const StoredRun& run_;

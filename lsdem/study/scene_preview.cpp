@@ -7,10 +7,10 @@
 #include <cmath>
 #include <map>
 
-#include "lsdem/block_height.hpp"
-#include "lsdem/plot/box_view.hpp"
+#include "lsdem/plot/body_view.hpp"
 #include "lsdem/plot/plot_panel.hpp"
 #include "lsdem/plot/svg.hpp"
+#include "lsdem/run/simulate.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/units.hpp"
 
@@ -33,13 +33,16 @@ std::vector<DrawnBody> find_bodies(const SceneSummary& summary) {
     const Model& model = summary.specimen.model;
     std::map<std::size_t, int> colors;  // of the model's materials, in the order of the blocks
     std::vector<DrawnBody> bodies;
-    for (const Block& block : model.blocks) {
+    const BlockTable table = make_block_table(summary.specimen);
+    const auto shapes = list_drawn_shapes(table.shapes, table.size);
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const Block& block = model.blocks[b];
         const int color = colors.try_emplace(block.material, static_cast<int>(colors.size())).first->second;
-        bodies.push_back({.center = block.position,
-                          .half = half_extents(model, block),
-                          .orientation = block.orientation.toRotationMatrix(),
-                          .is_round = !model.shapes[block.shape].faceted,
-                          .color = color});
+        bodies.push_back({.solid = {shapes[b], &shapes[b]->solid},
+                          .place = {block.orientation.toRotationMatrix(), block.position},
+                          .radius = shapes[b]->radius,
+                          .color = color,
+                          .is_marked = false});
     }
     // where all blocks are sampled there is nothing to stand out
     if (summary.specimen.spine.size() == bodies.size()) return bodies;
@@ -92,19 +95,19 @@ class Preview {
     void place() {
         ViewBounds bounds = find_bounds(bodies_, view_);
         for (const Vector3& corner : ground_) {
-            const double x = corner.dot(view_.right()), y = corner.dot(view_.up());
+            const double x = corner.dot(view_.right), y = corner.dot(view_.up);
             bounds = {std::min(bounds.left, x), std::max(bounds.right, x), std::min(bounds.bottom, y), std::max(bounds.top, y)};
         }
         // the ruler stands on the level of the leftmost corner
-        bounds.top = std::max(bounds.top, ground_[0].dot(view_.up()) + summary_.high.z() * view_.up().z());
+        bounds.top = std::max(bounds.top, ground_[0].dot(view_.up) + summary_.high.z() * view_.up.z());
         place_.scale = std::min((kPictureWidth - kRulerRoom) / bounds.width(), (kPicture - kLabelRoom) / bounds.height());
         place_.x = kMargin + kRulerRoom + 0.5 * (kPictureWidth - kRulerRoom - place_.scale * (bounds.left + bounds.right));
         place_.y = kTop + 0.5 * (kPicture - kLabelRoom + place_.scale * (bounds.bottom + bounds.top));
         left_ = place_.x + place_.scale * bounds.left;
     }
 
-    double x_of(const Vector3& world) const { return place_.x + place_.scale * world.dot(view_.right()); }
-    double y_of(const Vector3& world) const { return place_.y - place_.scale * world.dot(view_.up()); }
+    double x_of(const Vector3& world) const { return place_.x + place_.scale * world.dot(view_.right); }
+    double y_of(const Vector3& world) const { return place_.y - place_.scale * world.dot(view_.up); }
 
     bool moves() const {
         return std::any_of(summary_.motions.begin(), summary_.motions.end(),
@@ -121,7 +124,7 @@ class Preview {
     void draw_ruler() {
         const double height = summary_.high.z(), low = std::min(0.0, summary_.low.z());
         const double bar = detail::round_down(std::max(height - low, 1e-300) / 3.0);
-        const double x = left_ - 26.0, px = place_.scale * view_.up().z();
+        const double x = left_ - 26.0, px = place_.scale * view_.up.z();
         const auto y_at = [&](double z) { return y_of(ground_[0]) - px * z; };
         int k = 0;
         for (double from = low; from < height; from = low + ++k * bar) {
@@ -265,7 +268,7 @@ class Preview {
     const SceneSummary& summary_;
     std::vector<DrawnBody> bodies_;
     std::array<Vector3, 4> ground_;
-    BoxView view_;
+    SpaceView view_ = look_from_corner();
     ViewPlace place_;
     double left_ = 0.0;  ///< of all that is drawn [px]
     std::string svg_;
