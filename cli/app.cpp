@@ -33,7 +33,10 @@ std::vector<Group> list_groups() {
         {"Shake it",
          {{"run", add_run_command}, {"sequence", add_sequence_command}, {"ensemble", add_ensemble_command}, {"watch", add_watch_command}}},
         {"Compare prototype and models", {{"pair", add_pair_command}}},
-        {"See results", {{"report", add_report_command}, {"response", add_response_command}, {"field", add_field_command}}},
+        {"See results", {{"report", add_report_command},
+          {"response", add_response_command},
+          {"field", add_field_command},
+          {"export", add_export_command}}},
         {"Measure how exact musim is", {{"bench", add_bench_command}}}};
 }
 
