@@ -79,6 +79,7 @@ std::vector<ReportedRun> make_standing_runs(const std::vector<ReportedSpecimen>&
         standing.label = reported.label;
         standing.stands = true;
         standing.run.blocks.size = reported.specimen.size;
+        standing.run.blocks.shapes = reported.specimen.shapes;
         standing.run.blocks.layer = reported.specimen.layer;
         standing.run.initial = standing.run.final = reported.specimen.places;
         standing.run.history.time = {0.0};

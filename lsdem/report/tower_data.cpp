@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lsdem/export/base64.hpp"
+#include "lsdem/plot/solid_edges.hpp"
 #include "lsdem/rotation.hpp"
 
 namespace musim::lsdem {
@@ -161,6 +163,35 @@ std::string code_forces(const std::vector<double>& forces, std::size_t blocks, d
     return bytes;
 }
 
+/// Shapes of blocks that are no boxes.
+nlohmann::json list_shapes(const BlockShapes& shapes) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const auto& shape : shapes.list) {
+        const SolidEdges edges = find_edges(shape->solid);
+        std::string corners;
+        nlohmann::json faces = nlohmann::json::array();
+        std::int64_t before = 0;
+        for (std::size_t p = 0; p < shape->solid.pieces.size(); ++p) {
+            const Polyhedron& piece = shape->solid.pieces[p];
+            for (const Vector3& corner : piece.corners) {
+                for (int axis = 0; axis < 3; ++axis) append(corners, static_cast<float>(corner[axis]));
+            }
+            for (std::size_t f = 0; f < piece.faces.size(); ++f) {
+                if (!piece.faces[f].outer) continue;
+                nlohmann::json& face = faces.emplace_back(nlohmann::json::array());
+                const auto loop = piece.loop(piece.faces[f]);
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    const std::int64_t corner = before + loop[i];
+                    face.push_back(edges.drawn[p][f][i] ? corner : ~corner);
+                }
+            }
+            before += static_cast<std::int64_t>(piece.corners.size());
+        }
+        list.push_back({{"corners", encode_base64(corners)}, {"faces", std::move(faces)}, {"radius", shape->radius}});
+    }
+    return list;
+}
+
 /// Displacement of the base at the sample nearest to a time.
 std::array<double, 3> find_base(const History& history, double time) {
     const auto after = std::lower_bound(history.time.begin(), history.time.end(), time);
@@ -171,18 +202,6 @@ std::array<double, 3> find_base(const History& history, double time) {
 }
 
 }  // namespace
-
-std::string encode_base64(const std::string& bytes) {
-    constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t j = 0; j < 3; ++j) group = group << 8U | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-        for (std::size_t j = 0; j < 4; ++j) text += i + j > bytes.size() ? '=' : kDigits[group >> (18U - 6U * j) & 63U];
-    }
-    return text;
-}
 
 TowerData make_tower_data(const ReportedRun& reported) {
     const StoredRun& run = reported.run;
@@ -203,8 +222,9 @@ TowerData make_tower_data(const ReportedRun& reported) {
     }
     const std::vector<double> forces = list_forces(reported);
     const double largest_force = forces.empty() ? 0.0 : *std::max_element(forces.begin(), forces.end());
-    std::string layers;
+    std::string layers, shapes;
     for (const int layer : run.blocks.layer) append(layers, static_cast<std::int16_t>(layer));
+    for (const int shape : run.blocks.shapes.of_block) append(shapes, static_cast<std::int32_t>(shape));
     return {.json = {{"label", reported.label},
                      {"blocks", blocks},
                      {"length", run.similitude.length()},
@@ -218,6 +238,8 @@ TowerData make_tower_data(const ReportedRun& reported) {
                      {"start", encode_base64(list_start(run))},
                      {"slip", encode_base64(list_slips(reported))},
                      {"layer", encode_base64(layers)},
+                     {"shapes", list_shapes(run.blocks.shapes)},
+                     {"shape", encode_base64(shapes)},
                      {"forces", forces.empty() ? "" : encode_base64(compress_bytes(code_forces(forces, blocks, largest_force)))},
                      {"frames", encode_base64(compress_bytes(bytes))}},
             // half a step of the square root, at the largest force

@@ -25,6 +25,9 @@ struct TowerRounding {
 /// differences from the frame before, modulo their range. An integer over its greatest magnitude (32767, 127) times "scales" is the value.
 /// "forces": zlib, empty when they are not kept; for each frame in turn, 8-bit differences from the frame before of q, for each block: the
 /// contact forces on it over its weight are (q/255)² times scales.force, so that small ones are reported more finely.
+/// "shapes": of blocks that are no boxes: "corners", 32-bit floats x y z in the frame of the block [m], "faces", the outer ones by their
+/// corners, counter-clockwise from outside, a corner as its complement where the edge to the next one is no line, and "radius" of a ball, 0
+/// of others; "shape": one 32-bit integer per block, into "shapes", -1 of a box; empty where all are boxes.
 /// "base": displacement of the base at each frame [m]. A run without frames has two: its start and its end, without velocities.
 struct TowerData {
     nlohmann::json json;
@@ -32,8 +35,5 @@ struct TowerData {
 };
 
 TowerData make_tower_data(const ReportedRun& run);
-
-/// Bytes as text [RFC 4648].
-std::string encode_base64(const std::string& bytes);
 
 }  // namespace musim::lsdem

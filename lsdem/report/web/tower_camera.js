@@ -32,16 +32,9 @@ function arrangeRuns(bounds, aspect) {
 
 // Corners of all blocks of a run at its start, one after another, in units of the first run.
 function findBlockCorners(run) {
-  const corners = new Float64Array(24 * run.blocks), turn = new THREE.Quaternion(), corner = new THREE.Vector3();
-  for (let b = 0, at = 0; b < run.blocks; ++b) {
-    const s = run.start.subarray(10 * b, 10 * b + 10);
-    turn.set(s[4], s[5], s[6], s[3]);
-    for (let ends = 0; ends < 8; ++ends, at += 3) {
-      corner.set((ends & 1 ? 0.5 : -0.5) * s[7], (ends & 2 ? 0.5 : -0.5) * s[8], (ends & 4 ? 0.5 : -0.5) * s[9]).applyQuaternion(turn);
-      for (const axis of [0, 1, 2]) corners[at + axis] = (corner.getComponent(axis) + s[axis]) / run.length;
-    }
-  }
-  return corners;
+  const corners = [];
+  for (let b = 0; b < run.blocks; ++b) for (const corner of run.cornersOf(b)) corners.push(corner.x, corner.y, corner.z);
+  return Float64Array.from(corners);
 }
 
 // Reach of the corners of the runs, each shifted along x, in a direction.

@@ -67,6 +67,43 @@ function unpack(bytes, frames, blocks) {
   return { moved: moved, turned: turned, fast: fast };
 }
 
+// A shape of blocks: the faces of its surface by their corners, counter-clockwise from outside, in the frame of the block. `lines`: for each
+// corner of each face, whether its edge to the next one is a line. A ball has a radius, and its faces stand for it.
+class Shape {
+  constructor(corners, faces, lines, radius) {
+    this.corners = corners;
+    this.faces = faces;
+    this.lines = lines;
+    this.radius = radius;
+    this.normals = faces.map(function (face) {
+      const [origin, ...rest] = face.map(function (c) { return new THREE.Vector3().fromArray(corners[c]); });
+      const sum = new THREE.Vector3();
+      for (let i = 0; i + 1 < rest.length; ++i) sum.add(rest[i].clone().sub(origin).cross(rest[i + 1].clone().sub(origin)));
+      return sum.normalize();
+    });
+    this.size = [0, 1, 2].map(function (axis) {
+      const along = corners.map(function (corner) { return corner[axis]; });
+      return Math.max.apply(null, along) - Math.min.apply(null, along);
+    });
+  }
+
+  // As a page holds it: a corner as its complement is one whose edge is no line.
+  static unpack(data) {
+    const places = new Float32Array(bytesOf(data.corners).buffer), corners = [];
+    for (let i = 0; i < places.length; i += 3) corners.push([places[i], places[i + 1], places[i + 2]]);
+    const faces = data.faces.map(function (face) { return face.map(function (c) { return c < 0 ? ~c : c; }); });
+    const lines = data.faces.map(function (face) { return face.map(function (c) { return c >= 0 && data.radius === 0; }); });
+    return new Shape(corners, faces, lines, data.radius);
+  }
+
+  // A box of edges 1, which is drawn in the size of each block.
+  static cube() {
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(function (c) { return [c & 1 ? 0.5 : -0.5, c & 2 ? 0.5 : -0.5, c & 4 ? 0.5 : -0.5]; });
+    const faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    return new Shape(corners, faces, faces.map(function () { return [true, true, true, true]; }), 0);
+  }
+}
+
 // A run: its blocks, its frames, and where they are at a time of the first run.
 class Run {
   constructor(data, frames, forces) {
@@ -81,6 +118,10 @@ class Run {
     this.start = new Float32Array(bytesOf(data.start).buffer);
     this.slip = new Float32Array(bytesOf(data.slip).buffer);
     this.layer = new Int16Array(bytesOf(data.layer).buffer);
+    // the shapes and their numbers by block; 0: the box
+    this.shapes = [Shape.cube()].concat(data.shapes.map(Shape.unpack));
+    this.shape = new Int32Array(this.blocks);
+    if (data.shape) this.shape.set(new Int32Array(bytesOf(data.shape).buffer).map(function (shape) { return shape + 1; }));
     this.frames = frames;
     this.forces = forces;
     this.largestForce = data.scales.force;
@@ -88,6 +129,23 @@ class Run {
     this.displacement = new Float32Array(3 * this.blocks);
     this.rotation = new Float32Array(3 * this.blocks);
     this.ground = [0, 0, 0];
+  }
+
+  shapeOf(block) { return this.shapes[this.shape[block]]; }
+
+  // Factors along the block's axes by which its shape is drawn [m].
+  extentOf(block) {
+    return this.shape[block] > 0 ? [1, 1, 1] : [this.start[10 * block + 7], this.start[10 * block + 8], this.start[10 * block + 9]];
+  }
+
+  // Corners of a block at the start, in units of the first run.
+  cornersOf(block) {
+    const s = this.start, length = this.length, extent = this.extentOf(block), at = 10 * block;
+    const turn = new THREE.Quaternion(s[at + 4], s[at + 5], s[at + 6], s[at + 3]), centre = new THREE.Vector3(s[at], s[at + 1], s[at + 2]);
+    return this.shapeOf(block).corners.map(function (corner) {
+      const place = new THREE.Vector3(corner[0] * extent[0], corner[1] * extent[1], corner[2] * extent[2]);
+      return place.applyQuaternion(turn).add(centre).divideScalar(length);
+    });
   }
 
   // The two frames about a time, and the weight of the later one.
@@ -186,22 +244,14 @@ class Run {
 }
 
 // Extent of all blocks of a run at its start, in units of the first run.
-// Reach of a block, its axes turned by a quaternion, along an axis of the world.
-function reach(s, axis) {
-  const w = s[3], x = s[4], y = s[5], z = s[6];
-  const row = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-               [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-               [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]][axis];
-  return 0.5 * (Math.abs(row[0]) * s[7] + Math.abs(row[1]) * s[8] + Math.abs(row[2]) * s[9]);
-}
-
 function findBounds(run) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let b = 0; b < run.blocks; ++b) {
-    for (let axis = 0; axis < 3; ++axis) {
-      const centre = run.start[10 * b + axis] / run.length, half = reach(run.start.subarray(10 * b, 10 * b + 10), axis) / run.length;
-      low[axis] = Math.min(low[axis], centre - half);
-      high[axis] = Math.max(high[axis], centre + half);
+    for (const corner of run.cornersOf(b)) {
+      for (const axis of [0, 1, 2]) {
+        low[axis] = Math.min(low[axis], corner.getComponent(axis));
+        high[axis] = Math.max(high[axis], corner.getComponent(axis));
+      }
     }
   }
   return { low: low, high: high };

@@ -1,29 +1,24 @@
 // The blocks at the start, drawn without WebGL for browsers that have none: parallel lines stay parallel, farther blocks are drawn first.
 const FLAT_BACK = [0.5, -1, 0.4];
-const FLAT_FACES = [
-  { axis: 0, sign: 1, shade: 0.78 }, { axis: 1, sign: -1, shade: 0.92 }, { axis: 2, sign: 1, shade: 1 },
-  { axis: 0, sign: -1, shade: 0.78 }, { axis: 1, sign: 1, shade: 0.92 }, { axis: 2, sign: -1, shade: 1 },
-];
+// Brightness of faces across the block's axes.
+const FLAT_SHADES = [0.78, 0.92, 1];
 
-// Faces that look towards `back`, each with its four corners, and how near the block is.
+// Faces that look towards `back`, each with its corners, the farthest first, and how near the block is.
 function findFlatFaces(run, block, shift, back) {
   const s = run.start.subarray(10 * block, 10 * block + 10), turn = new THREE.Quaternion(s[4], s[5], s[6], s[3]);
+  const shape = run.shapeOf(block), corners = run.cornersOf(block), faces = [];
+  corners.forEach(function (corner) { corner.x += shift; });
+  shape.faces.forEach(function (face, f) {
+    const normal = shape.normals[f];
+    if (normal.clone().applyQuaternion(turn).dot(back) <= 0) return;
+    const shade = FLAT_SHADES.reduce(function (sum, own, axis) { const part = normal.getComponent(axis); return sum + own * part * part; }, 0);
+    const own = face.map(function (c) { return corners[c]; });
+    const near = own.reduce(function (sum, corner) { return sum + corner.dot(back) / own.length; }, 0);
+    faces.push({ corners: own, lines: shape.lines[f], shade: shade, near: near });
+  });
+  faces.sort(function (a, b) { return a.near - b.near; });
   const centre = new THREE.Vector3(s[0], s[1], s[2]).divideScalar(run.length);
   centre.x += shift;
-  const faces = [];
-  for (const face of FLAT_FACES) {
-    const normal = new THREE.Vector3().setComponent(face.axis, face.sign).applyQuaternion(turn);
-    if (normal.dot(back) <= 0) continue;
-    const first = (face.axis + 1) % 3, second = (face.axis + 2) % 3;
-    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(function (ends) {
-      const corner = new THREE.Vector3();
-      corner.setComponent(face.axis, face.sign * s[7 + face.axis]);
-      corner.setComponent(first, ends[0] * s[7 + first]);
-      corner.setComponent(second, ends[1] * s[7 + second]);
-      return corner.multiplyScalar(0.5 / run.length).applyQuaternion(turn).add(centre);
-    });
-    faces.push({ corners: corners, shade: face.shade });
-  }
   return { near: centre.dot(back), faces: faces };
 }
 
@@ -47,15 +42,24 @@ function drawFlat(canvas, runs) {
   const place = function (corner) { return [canvas.width / 2 + zoom * (corner[0] - 0.5 * (low[0] + high[0])), 0.46 * canvas.height + zoom * (corner[1] - 0.5 * (low[1] + high[1]))]; };
 
   const pen = canvas.getContext("2d");
-  pen.strokeStyle = "#333";
   for (const block of blocks) for (const face of block.faces) {
-    const grey = Math.round(225 * face.shade);
+    const grey = Math.round(225 * face.shade), places = face.corners.map(place);
     pen.fillStyle = "rgb(" + grey + "," + grey + "," + grey + ")";
     pen.beginPath();
-    face.corners.forEach(function (corner) { pen.lineTo.apply(pen, place(corner)); });
+    places.forEach(function (corner) { pen.lineTo.apply(pen, corner); });
     pen.closePath();
     pen.fill();
-    pen.stroke();
+    // what is no line joins the face to the one beside it
+    [false, true].forEach(function (line) {
+      pen.strokeStyle = line ? "#333" : pen.fillStyle;
+      pen.beginPath();
+      places.forEach(function (corner, i) {
+        if (face.lines[i] !== line) return;
+        pen.moveTo.apply(pen, corner);
+        pen.lineTo.apply(pen, places[(i + 1) % places.length]);
+      });
+      pen.stroke();
+    });
   }
 }
 

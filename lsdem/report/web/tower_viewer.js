@@ -1,3 +1,19 @@
+// Where a ray first meets the surface of a shape, in lengths of `along`; Infinity: nowhere.
+function findEntry(shape, from, along) {
+  let first = Infinity;
+  shape.faces.forEach(function (face, f) {
+    const normal = shape.normals[f], facing = normal.dot(along);
+    if (!(facing < 0)) return;
+    const corners = face.map(function (c) { return new THREE.Vector3().fromArray(shape.corners[c]); });
+    const at = corners[0].clone().sub(from).dot(normal) / facing, place = from.clone().addScaledVector(along, at);
+    const isInside = corners.every(function (corner, i) {
+      return corners[(i + 1) % corners.length].clone().sub(corner).cross(place.clone().sub(corner)).dot(normal) >= 0;
+    });
+    if (isInside) first = Math.min(first, at);
+  });
+  return first;
+}
+
 // The view of the blocks and what steers it.
 class Viewer {
   constructor(runs, renderer) {
@@ -40,7 +56,7 @@ class Viewer {
     // what cuts go through: all runs in one place
     this.bounds = uniteBounds(this.runBounds);
     this.groups = this.runs.map(function (run) { return new Blocks(run, new THREE.Vector3(), this.shared); }, this);
-    this.groups.forEach(function (group) { this.scene.add(group.mesh); }, this);
+    this.groups.forEach(function (group) { this.scene.add(group.object); }, this);
     this.ground = new THREE.Group();
     this.scene.add(this.ground);
     // a picture as wide as the runs need, slender ones with the controls at their side
@@ -255,7 +271,7 @@ class Viewer {
     this.update();
   }
 
-  // The nearest block on the ray through a pixel, as boxes at their places.
+  // The nearest block on the ray through a pixel.
   pick(event) {
     const rect = this.canvas.getBoundingClientRect();
     const ray = new THREE.Raycaster();
@@ -272,15 +288,11 @@ class Viewer {
         if (angle > 0) turn.premultiply(more.setFromAxisAngle(axis.divideScalar(angle), angle));
         inverse.copy(turn).conjugate();
         const centre = group.centre(b, this.shared.exaggeration.value);
-        const from = ray.ray.origin.clone().sub(centre).applyQuaternion(inverse), along = ray.ray.direction.clone().applyQuaternion(inverse);
-        let enter = -Infinity, leave = Infinity;
-        ["x", "y", "z"].forEach(function (name, i) {
-          const half = 0.5 * s[10 * b + 7 + i] / run.length;
-          const a = (-half - from[name]) / along[name], c = (half - from[name]) / along[name];
-          enter = Math.max(enter, Math.min(a, c));
-          leave = Math.min(leave, Math.max(a, c));
-        });
-        if (enter <= leave && leave > 0 && (best === null || enter < best.at)) best = { at: enter, run: g, block: b };
+        const extent = new THREE.Vector3().fromArray(run.extentOf(b)).divideScalar(run.length);
+        const from = ray.ray.origin.clone().sub(centre).applyQuaternion(inverse).divide(extent);
+        const along = ray.ray.direction.clone().applyQuaternion(inverse).divide(extent);
+        const enter = findEntry(run.shapeOf(b), from, along);
+        if (enter > 0 && enter < Infinity && (best === null || enter < best.at)) best = { at: enter, run: g, block: b };
       }
     }, this);
     if (best) this.choose(best.run, best.block);
