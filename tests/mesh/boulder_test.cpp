@@ -42,7 +42,7 @@ TEST_CASE("the scan of a boulder is refused with its deepest dent") {
     const musim::tests::TemporaryFolder folder;
     const auto path = folder.write("SP1_mesh.obj", musim::tests::gunzip(kRocks / "SP1_mesh.obj.gz"));
     const ClosedParts mesh = split_mesh(read_mesh(path));
-    // rocks.json, five digits; two triangles that its five decimals make edges
+    // rocks.json, five digits; four triangles that its five decimals make edges
     CHECK(mesh.parts[0].volume == doctest::Approx(0.12386).epsilon(1e-4));
     CHECK(mesh.left_out == 4);
     tests::check_mesh_refused(

@@ -58,7 +58,7 @@ LocalFrame find_frame(const Mesh& mesh, std::span<const std::uint32_t> faces) {
             high = high.cwiseMax(mesh.vertices[corner]);
         }
     }
-    const LocalFrame frame{.origin = corner_at(mesh, mesh.faces[faces.front()].first), .size = (high - low).maxCoeff()};
+    LocalFrame frame{.origin = corner_at(mesh, mesh.faces[faces.front()].first), .size = (high - low).maxCoeff()};
     // beyond, cubes of lengths are no doubles
     constexpr double kLargest = 1e90;
     if (!(frame.size > 1.0 / kLargest && frame.size < kLargest)) {

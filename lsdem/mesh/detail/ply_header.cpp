@@ -45,8 +45,9 @@ PlyElement parse_ply_element(MeshWords& words) {
     element.name = words.next();
     const std::string_view word = words.next();
     const std::optional<long long> rows = parse_whole(word);
-    if (!rows || *rows < 0)
+    if (!rows || *rows < 0) {
         words.fail(fmt::format("element {} has {} rows", quote_word(element.name), quote_word(word)), "correct the header");
+    }
     element.rows = static_cast<std::size_t>(*rows);
     return element;
 }
