@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "lsdem/export/base64.hpp"
 #include "tests/report/made_stored_run.hpp"
 
 using namespace musim::lsdem;
@@ -138,4 +139,36 @@ TEST_CASE("a run without frames shows its start and its end, and one that never 
 TEST_CASE("a page with a copy of three.js has its licence beside it") {
     const std::string scripts = make_tower_scripts();
     CHECK(scripts.empty() == (scripts.find("The MIT License") == std::string::npos));
+}
+
+TEST_CASE("a page has the outer faces of shapes that are no boxes, and which of their edges are lines") {
+    ReportedRun reported = make_stored_run(3);
+    CHECK(make_tower_data(reported).json["shapes"].empty());
+    CHECK(make_tower_data(reported).json["shape"] == "");
+
+    // two cubes that share a face: what lies between them is not shown, nor the lines where sides go on in one plane
+    Solid halves;
+    for (const double x : {-0.5, 0.5}) {
+        const Placing place{Matrix3::Identity(), {x, 0.0, 0.0}};
+        halves.pieces.push_back(moved(make_box_solid({1.0, 1.0, 1.0}), place).pieces.front());
+        halves.pieces.back().faces[x < 0.0 ? 1 : 0].outer = false;
+    }
+    reported.run.blocks.shapes.list = {std::make_shared<const BlockShape>(BlockShape{"halves", halves, 0.0})};
+    reported.run.blocks.shapes.of_block = {-1, 0, -1};
+    const nlohmann::json json = make_tower_data(reported).json;
+    REQUIRE(json["shapes"].size() == 1);
+    const nlohmann::json& shape = json["shapes"][0];
+    CHECK(shape["radius"] == 0.0);
+    CHECK(decode_base64(shape["corners"]).size() == 16 * 3 * sizeof(float));
+    CHECK(shape["faces"].size() == 10);
+    int lines = 0, none = 0;
+    for (const nlohmann::json& face : shape["faces"]) {
+        for (const int corner : face) {
+            CHECK((corner < 0 ? ~corner : corner) < 16);
+            ++(corner < 0 ? none : lines);
+        }
+    }
+    CHECK(none == 8);
+    CHECK(lines == 32);
+    CHECK(decode_base64(json["shape"]) == std::string("\xff\xff\xff\xff\x00\x00\x00\x00\xff\xff\xff\xff", 12));
 }
