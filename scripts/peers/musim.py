@@ -41,7 +41,9 @@ def run(kind, edge, blocks, duration, restitution=0.3, safety=0.8, rate=0):
     pathlib.Path("scene.json").write_text(json.dumps(scene))
     folder = pathlib.Path("result")
     subprocess.run(["rm", "-rf", folder], check=True)
-    subprocess.run([PROGRAM, "run", "scene.json", "-o", folder, "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
+    done = subprocess.run([PROGRAM, "run", "scene.json", "-o", folder, "--threads", "1"], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
     return folder
 
 

@@ -17,10 +17,10 @@ def find(peer, what, edge, step=0.0):
 
 
 def show(value):
-    """Three digits, or one beside a whole number."""
+    """Three digits; whole numbers as such, and 0 below single precision."""
     if value is None:
         return ""
-    if abs(value - round(value)) < 1e-5 * max(1.0, abs(value)):
+    if abs(value) < 5e-7 or abs(value - round(value)) < 1e-5 * abs(value):
         return str(round(value))
     return f"{value:.3g}"
 
@@ -32,7 +32,7 @@ def show_pile(peer, kind, edge, step):
         return ""
     if height > 1:
         return "thrown"
-    return "fell" if height < -1 or aside > 1 else f"{show(round(1e3 * height, 1))}, {show(round(1e3 * aside, 1))}"
+    return "fell" if height < -1 or aside > 1 else f"{show(round(1e3 * height, 3))}, {show(round(1e3 * aside, 3))}"
 
 
 def unit(edge):

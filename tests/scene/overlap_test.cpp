@@ -76,9 +76,9 @@ TEST_CASE("boxes as solids overlap as deep as boxes") {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> share(-1.0, 1.0);
     for (int i = 0; i < 200; ++i) {
-        Body a = make_box({1.0, 0.6, 0.8}, Vector3::Zero(), Quaternion(tests::draw_rotation(random)));
-        Body b =
-            make_box({0.7, 0.9, 0.5}, 0.7 * Vector3(share(random), share(random), share(random)), Quaternion(tests::draw_rotation(random)));
+        Body a = make_box({1.0, 0.6, 0.8}, Vector3::Zero(), Quaternion(musim::lsdem::tests::draw_rotation(random)));
+        Body b = make_box({0.7, 0.9, 0.5}, 0.7 * Vector3(share(random), share(random), share(random)),
+                          Quaternion(musim::lsdem::tests::draw_rotation(random)));
         const double of_boxes = compute_overlap(a, b);
         const Solid solid = make_box_solid(2.0 * a.half);
         a.solid = &solid;

@@ -21,7 +21,7 @@ using musim::tests::GltfCheck;
 namespace {
 
 /// A wedge: half of a box, cut along its diagonal plane.
-Solid make_wedge() {
+Solid make_exported_wedge() {
     return {{make_polyhedron({Vector3(0, 0, 0), Vector3(2, 0, 0), Vector3(2, 0, 1), Vector3(0, 3, 0), Vector3(2, 3, 0), Vector3(2, 3, 1)},
                              {{0, 1, 2}, {3, 5, 4}, {0, 3, 4, 1}, {1, 4, 5, 2}, {0, 2, 5, 3}})}};
 }
@@ -29,7 +29,7 @@ Solid make_wedge() {
 /// Two boxes, one of them of another material, a wedge that moves and turns, and a ball, over `frames` frames.
 ExportedBlocks make_blocks(std::size_t frames) {
     const auto box = std::make_shared<const BlockShape>(BlockShape{"", make_box_solid({1.0, 2.0, 0.5}), 0.0});
-    const auto wedge = std::make_shared<const BlockShape>(BlockShape{"wedge", make_wedge(), 0.0});
+    const auto wedge = std::make_shared<const BlockShape>(BlockShape{"wedge", make_exported_wedge(), 0.0});
     const auto ball = std::make_shared<const BlockShape>(BlockShape{"ball", make_ball_facets(0.7), 0.7});
     ExportedBlocks exported{.name = "made", .blocks = {}, .frames = {}, .similitude = {}};
     const auto add = [&](const char* name, const char* material, const std::shared_ptr<const BlockShape>& shape, const Vector3& position) {
