@@ -5,7 +5,7 @@
 
 namespace musim::lsdem {
 
-/// How far a block reaches from the origin of its body frame along the world's axes [m]; of a box both are the same.
+/// Reach of a block from the origin of its body frame along the world's axes [m]; of a box both are the same.
 struct BlockReach {
     Vector3 below = Vector3::Zero();  ///< against the axes
     Vector3 above = Vector3::Zero();  ///< along them

@@ -44,12 +44,12 @@ struct Bodies {
     /// There.
     Matrix3 previous_rotation(std::size_t i) const { return pose[i].step.turn.conjugate().toRotationMatrix() * pose[i].rotation; }
 
-    /// How far block i reaches from its centre along a direction of unit length, world axes [m].
+    /// Reach of block i from its centre along a direction of unit length, world axes [m].
     double find_reach(std::size_t i, const Vector3& direction) const {
         const Vector3 along = pose[i].rotation.transpose() * direction;
         return solid[i] == nullptr ? along.cwiseAbs().dot(pose[i].half) : lsdem::find_reach(*solid[i], along);
     }
-    /// How far it reaches below its centre [m].
+    /// Distance from its centre down to its lowest point [m].
     double find_reach_down(std::size_t i) const {
         return solid[i] == nullptr ? pose[i].rotation.row(2).cwiseAbs().dot(pose[i].half) : find_reach(i, -Vector3::UnitZ());
     }

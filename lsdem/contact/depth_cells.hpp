@@ -77,7 +77,7 @@ class DepthCells {
     /// The part of a polygon in which plane k is the nearest of the candidates.
     void cut_cell(const Polygon& polygon, const PlacedPiece& piece, std::uint32_t k, Level& room);
 
-    /// Of a cell in which a plane is the nearest of its whole, the part in which no whole from `next` on is deeper.
+    /// Visits the part of a cell, in which a plane is the nearest of its whole, in which no whole from `next` on is deeper.
     template <class Visit>
     void visit_deepest(const PlacedPiece& piece, const Chosen& chosen, std::size_t next, std::size_t level, const Polygon& cell,
                        const Visit& visit) {

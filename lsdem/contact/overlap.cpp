@@ -6,7 +6,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// Of up to so many faces, those that cut a face of the other body are found by its corners alone. Affects speed only.
+/// Bodies of no more faces than this cut a face of another by those that have a corner of it outside. Affects speed only.
 constexpr std::size_t kFewFaces = 8;
 
 }  // namespace

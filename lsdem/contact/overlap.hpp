@@ -50,7 +50,7 @@ class OverlapPieces {
         bool all_outside = false;  ///< all corners lie outside one plane: the pieces are apart
 
         void find(const PlacedPiece& corners, const PlacedPiece& planes);
-        /// How many of the corners of a face lie outside a plane.
+        /// Share of the corners of a face that lie outside a plane.
         Share share(std::size_t plane, const Polyhedron& form, std::size_t face) const {
             const std::uint64_t* const out = &outside[plane * words];
             const std::uint64_t* const of = &form.marks[face * words];

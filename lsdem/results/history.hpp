@@ -78,7 +78,7 @@ struct BlockTable {
         const BlockShape* shape = shapes.find(block);
         return shape != nullptr && shape->radius == 0.0 ? &shape->solid : nullptr;
     }
-    /// How far a block reaches in an orientation, body to world.
+    /// Reach of a block in an orientation, body to world.
     BlockReach find_reach(std::size_t block, const Quaternion& orientation) const {
         return find_block_reach(find_solid(block), 0.5 * size[block], orientation.toRotationMatrix());
     }

@@ -17,7 +17,7 @@ struct BoxPose {
     Quaternion orientation = Quaternion::Identity();
     std::shared_ptr<const Solid> solid = {};  ///< in the body frame; nothing: it is a box
 
-    /// How far it reaches from its position along the world's axes.
+    /// Reach from its position along the world's axes.
     BlockReach reach() const { return find_block_reach(solid.get(), 0.5 * size, orientation.toRotationMatrix()); }
 };
 

@@ -40,7 +40,7 @@ struct GridShape {
     bool operator==(const GridShape&) const = default;
 };
 
-/// Of blocks that name no shape. Spheres are for structures of kind "blocks", whose entries then need no size.
+/// Shape of blocks that name none. Spheres are for structures of kind "blocks", whose entries then need no size.
 using ShapeSettings = std::variant<BoxShape, GridShape, SphereShape>;
 
 /// One block of an explicit list.

@@ -142,7 +142,7 @@ class SceneWriter {
         return std::visit([&](const auto& settings) { return write_part(settings, object); }, shape);
     }
 
-    /// What a form has besides its fields.
+    /// Adds what a form has besides its fields.
     template <class Form>
     void put_more(ordered_json& object, const Form& form) const {
         if constexpr (std::is_same_v<Form, MeshForm>) object["file"] = form.file.string();

@@ -36,7 +36,8 @@ const std::string kCorners = R"("corners": {"kind": "polyhedron", "vertices": [[
     [0, 0, 0.2], [0.4, 0, 0.2], [0, 0.6, 0.2], [0.4, 0.6, 0.2]])";
 
 /// A right triangle 0.4 m along z and 0.3 m along x, 0.5 m along y.
-const std::string kWedge = R"("wedge": {"kind": "prism", "outline": [[0, 0], ["0.4 m", 0], [0, "0.3 m"]], "axis": "y", "length": "0.5 m"})";
+const std::string kSplitWedge =
+    R"("wedge": {"kind": "prism", "outline": [[0, 0], ["0.4 m", 0], [0, "0.3 m"]], "axis": "y", "length": "0.5 m"})";
 
 Placing place_of(const Block& block) { return {block.orientation.toRotationMatrix(), block.position}; }
 
@@ -57,7 +58,7 @@ double find_misplacement(const Model& model, const DrawnSolid& drawn, const Plac
 }  // namespace
 
 TEST_CASE("a block is placed by the frame in which its shape is drawn") {
-    const Scene scene = make_shapes_scene(kWedge, R"({"shape": "wedge", "position": [1, 2, 3], "quaternion": [1, 0, 0, 1]})");
+    const Scene scene = make_shapes_scene(kSplitWedge, R"({"shape": "wedge", "position": [1, 2, 3], "quaternion": [1, 0, 0, 1]})");
     const Model model = make_model(scene);
     REQUIRE(model.blocks.size() == 1);
     // the centre of the triangle, turned by a quarter about z: (x, y, z) -> (-y, x, z)
@@ -67,7 +68,8 @@ TEST_CASE("a block is placed by the frame in which its shape is drawn") {
     CHECK(find_misplacement(model, make_drawn_solid(scene, "wedge"), frame) < 1e-15);
 
     // scaled, mirrored, turned: z doubled, x negated, then turned about z
-    const std::string placed = kWedge.substr(0, kWedge.size() - 1) + R"(, "scale": [1, 1, 2], "mirror": "x", "quaternion": [1, 0, 0, 1]})";
+    const std::string placed =
+        kSplitWedge.substr(0, kSplitWedge.size() - 1) + R"(, "scale": [1, 1, 2], "mirror": "x", "quaternion": [1, 0, 0, 1]})";
     const Scene changed = make_shapes_scene(placed, R"({"shape": "wedge", "position": [1, 2, 3]})");
     const Vector3 centre = make_model(changed).blocks[0].position;
     CHECK((centre - Vector3(1.0, 2.0 - 0.1, 3.0 + 0.8 / 3.0)).norm() < 1e-15);
@@ -181,21 +183,23 @@ TEST_CASE("solids that cannot be, and blocks that stand in each other, are refus
             {kCorners + R"(, "mass": 1, "inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 3]]})",
              R"({"shape": "corners", "position": [0, 0, 5]})",
              {"/shapes/corners/inertia: principal moments 1, 1 and 3 kg m^2 are those of no body"}},
-            {kWedge,
+            {kSplitWedge,
              R"({"shape": "wedge", "position": [0, 0, 1]}, {"shape": "wedge", "position": ["0.1 m", 0, 1], "name": "upper"})",
              {"/structure/blocks/0 and /structure/blocks/1 (\"upper\") overlap by 8 cm"}},
-            {kWedge, R"({"shape": "wedge", "position": [0, 0, 1]}, {"size": [1, 1, 1], "position": [0.5, 0, 0.75]})", {"overlap by 25 cm"}},
-            {kWedge, R"({"shape": "wedge", "position": [0, 0, -0.01]})", {"/structure/blocks/0 reaches 1 cm below the ground"}}}) {
+            {kSplitWedge,
+             R"({"shape": "wedge", "position": [0, 0, 1]}, {"size": [1, 1, 1], "position": [0.5, 0, 0.75]})",
+             {"overlap by 25 cm"}},
+            {kSplitWedge, R"({"shape": "wedge", "position": [0, 0, -0.01]})", {"/structure/blocks/0 reaches 1 cm below the ground"}}}) {
         CAPTURE(c.shapes);
         check_message(error_of([&] { make_model(make_shapes_scene(c.shapes, c.blocks)); }), c.parts);
     }
     // touching faces, whatever their slope, do not overlap
     const std::string turned = R"({"shape": "wedge", "position": [0.3, 0, 1.4], "quaternion": [0, 0, 1, 0]})";
-    CHECK(make_model(make_shapes_scene(kWedge, R"({"shape": "wedge", "position": [0, 0, 1]}, )" + turned)).blocks.size() == 2);
+    CHECK(make_model(make_shapes_scene(kSplitWedge, R"({"shape": "wedge", "position": [0, 0, 1]}, )" + turned)).blocks.size() == 2);
 }
 
 TEST_CASE("the shapes of a similar scene agree with the prototype's to the last bit") {
-    const std::string shapes = kWedge + R"(, "drum": {"kind": "cylinder", "radius": 0.3, "height": 0.2, "top_radius": 0.25},
+    const std::string shapes = kSplitWedge + R"(, "drum": {"kind": "cylinder", "radius": 0.3, "height": 0.2, "top_radius": 0.25},
         "stone": {"kind": "polyhedron", "vertices": [[0, 0, 0], [0.7, 0, 0.1], [0.1, 0.6, 0], [0.2, 0.2, 0.5]], "mass": 300,
                   "centre": [0.2, 0.2, 0.2], "inertia": [[9, 1, 0], [1, 8, -0.5], [0, -0.5, 7]]})";
     const Scene scene = make_shapes_scene(shapes, R"({"shape": "wedge", "position": [0, 0, 1]}, {"shape": "drum", "position": [3, 0, 0.1]},
