@@ -185,11 +185,11 @@ TEST_CASE("solids that cannot be, and blocks that stand in each other, are refus
              {"/shapes/corners/inertia: principal moments 1, 1 and 3 kg m^2 are those of no body"}},
             {kSplitWedge,
              R"({"shape": "wedge", "position": [0, 0, 1]}, {"shape": "wedge", "position": ["0.1 m", 0, 1], "name": "upper"})",
-             {"/structure/blocks/0 and /structure/blocks/1 (\"upper\") overlap by 8 cm"}},
+             {"/structure/blocks/0 and /structure/blocks/1 (\"upper\") overlap by 160 mm"}},
             {kSplitWedge,
              R"({"shape": "wedge", "position": [0, 0, 1]}, {"size": [1, 1, 1], "position": [0.5, 0, 0.75]})",
-             {"overlap by 25 cm"}},
-            {kSplitWedge, R"({"shape": "wedge", "position": [0, 0, -0.01]})", {"/structure/blocks/0 reaches 1 cm below the ground"}}}) {
+             {"overlap by 250 mm"}},
+            {kSplitWedge, R"({"shape": "wedge", "position": [0, 0, -0.01]})", {"/structure/blocks/0 reaches 10 mm below the ground"}}}) {
         CAPTURE(c.shapes);
         check_message(error_of([&] { make_model(make_shapes_scene(c.shapes, c.blocks)); }), c.parts);
     }
