@@ -1,5 +1,8 @@
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "lsdem/contact/overlap.hpp"
 
@@ -13,15 +16,38 @@ using detail::difference;
 using detail::Polygon;
 using detail::PolygonCutter;
 
+/// A sphere that holds an overlap.
+struct OverlapSphere {
+    Vector3 middle = Vector3::Zero();
+    double radius = 0.0;
+
+    explicit OverlapSphere(const OverlapPieces& pieces) {
+        constexpr double kMargin = 1.0 + 1e-9;
+        std::size_t count = 0;
+        for (const OverlapPieces::Piece& piece : pieces) {
+            for (std::uint32_t i = 0; i < piece.count; ++i) middle += pieces.vertices(piece)[i].place;
+            count += piece.count;
+        }
+        if (count == 0) return;
+        middle /= static_cast<double>(count);
+        for (const OverlapPieces::Piece& piece : pieces) {
+            for (std::uint32_t i = 0; i < piece.count; ++i) {
+                radius = std::max(radius, kMargin * (pieces.vertices(piece)[i].place - middle).norm());
+            }
+        }
+    }
+};
+
 /// Integrals over the borders of the cells into which the planes of a piece y cut what is inside another piece x.
 class CellBorders {
   public:
     /// Sum over all sheets between two cells of y inside x [m⁴]: ∫ d² times |n_i − n_k|, where the depth takes the less deep of planes i,
     /// k; less that, where it takes the deeper.
-    double integrate_sheets(const PlacedPiece& x, const PlacedPiece& y) {
+    double integrate_sheets(const PlacedPiece& x, const PlacedPiece& y, const OverlapSphere& overlap) {
+        find_near_planes(y, overlap);
         double sum = 0.0;
-        for (std::uint32_t i = 0; i < y.nearest_count(); ++i) {
-            for (std::uint32_t k = i + 1; k < y.nearest_count(); ++k) sum += integrate_sheet(x, y, i, k);
+        for (std::size_t i = 0; i < near_.size(); ++i) {
+            for (std::size_t k = i + 1; k < near_.size(); ++k) sum += integrate_sheet(x, y, near_[i], near_[k]);
         }
         return sum;
     }
@@ -47,6 +73,22 @@ class CellBorders {
     }
 
   private:
+    /// Planes of y that may decide on the depth somewhere in the overlap.
+    void find_near_planes(const PlacedPiece& y, const OverlapSphere& overlap) {
+        near_.clear();
+        double deepest = 0.0;
+        for (std::size_t whole = 0; whole < y.whole_count(); ++whole) {
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t m = 0; m < y.whole_size(whole); ++m) {
+                least = std::min(least, y.nearest_plane(y.member(whole, m)).depth(overlap.middle));
+            }
+            deepest = std::max(deepest, least);
+        }
+        for (std::uint32_t k = 0; k < y.nearest_count(); ++k) {
+            if (y.nearest_plane(k).depth(overlap.middle) <= deepest + 2.0 * overlap.radius) near_.push_back(k);
+        }
+    }
+
     double integrate(const Polygon& polygon, const Vector3& normal, const Affine& depth) {
         vertices_.clear();
         for (const Vector3& place : polygon) vertices_.push_back({place, depth(place)});
@@ -135,14 +177,15 @@ class CellBorders {
     DepthCells cells_;
     Polygon face_;
     std::vector<OverlapVertex> vertices_;
+    std::vector<std::uint32_t> near_;
 };
 
 /// Integrals over borders of the cells of `in` inside `of`, but for the faces of `of` that are part of its surface [m⁴].
-double integrate_borders(const PlacedSolid& of, const PlacedSolid& in, CellBorders& borders) {
+double integrate_borders(const PlacedSolid& of, const PlacedSolid& in, const OverlapSphere& overlap, CellBorders& borders) {
     double sum = 0.0;
     for (const PlacedPiece& x : of.pieces()) {
         for (const PlacedPiece& y : in.pieces()) {
-            sum += borders.integrate_sheets(x, y);
+            sum += borders.integrate_sheets(x, y, overlap);
             sum += borders.integrate_inner_faces(x, y, y);
             sum += borders.integrate_inner_faces(y, x, y);
         }
@@ -155,7 +198,8 @@ double integrate_borders(const PlacedSolid& of, const PlacedSolid& in, CellBorde
 double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces) {
     // d = ∇·(−n d²/2) in every cell, so its integral is one over the cell's border: pieces of faces, and the sheets between cells
     CellBorders borders;
-    const double rest = integrate_borders(b, a, borders) + integrate_borders(a, b, borders);
+    const OverlapSphere overlap(pieces);
+    const double rest = integrate_borders(b, a, overlap, borders) + integrate_borders(a, b, overlap, borders);
     return sum_load(pieces).energy + 0.25 * rest;
 }
 

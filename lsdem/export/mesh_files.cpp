@@ -56,7 +56,7 @@ std::string make_obj(const ExportedBlocks& exported) {
 }
 
 std::string make_stl(const ExportedBlocks& exported) {
-    constexpr std::size_t kHeader = 80;
+    constexpr std::size_t kStlHeader = 80;
     std::string triangles;
     std::uint32_t count = 0;
     for (const ExportedBlock& block : exported.blocks) {
@@ -72,7 +72,7 @@ std::string make_stl(const ExportedBlocks& exported) {
     }
     // a text STL begins with "solid"
     std::string header = "musim, in m, z up";
-    header.resize(kHeader, ' ');
+    header.resize(kStlHeader, ' ');
     append_bytes(header, count);
     return header + triangles;
 }

@@ -38,7 +38,7 @@ StructureProperties make_properties(const Scene& scene, double friction, const s
     const BlockEntry* const listed = find_listed(scene);
     const BlockMaterial& material = find_material(listed, scene);
     StructureProperties properties;
-    properties.block = listed == nullptr ? reference_block(scene) : listed->size;
+    properties.block = listed == nullptr ? reference_block(scene) : find_block_size(scene, *listed);
     if (properties.block[1] < properties.block[0]) std::swap(properties.block[0], properties.block[1]);
     properties.density = material.density;
     properties.friction = friction;

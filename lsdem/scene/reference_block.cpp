@@ -66,9 +66,11 @@ class ListBases {
 
 }  // namespace
 
+Triple<scaling::Length> find_block_size(const Scene& scene, const BlockEntry& block) { return ListBases(scene).find_block(block); }
+
 Triple<scaling::Length> reference_block(const Scene& scene) {
     if (const auto* list = std::get_if<BlockList>(&scene.structure))
-        return list->blocks.empty() ? Triple<scaling::Length>{} : ListBases(scene).find_block(list->blocks.front());
+        return list->blocks.empty() ? Triple<scaling::Length>{} : find_block_size(scene, list->blocks.front());
     if (const auto* column = std::get_if<Column>(&scene.structure)) return column->block;
     if (const auto* wall = std::get_if<Wall>(&scene.structure)) return wall->block;
     return std::get<Tower>(scene.structure).block;

@@ -9,6 +9,9 @@ namespace musim::lsdem {
 /// the box around it; zero of an empty list. Throws SceneError for a shape that cannot be made.
 Triple<scaling::Length> reference_block(const Scene& scene);
 
+/// The same of a block of a list.
+Triple<scaling::Length> find_block_size(const Scene& scene, const BlockEntry& block);
+
 /// Are there blocks of other bases than that, by more than a part in 10⁹? Only a list has them.
 bool has_several_bases(const Scene& scene);
 
