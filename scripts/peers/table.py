@@ -81,4 +81,4 @@ for peer in peers:
     for row in peer["rows"]:
         if "state" in row:
             print(f"| {row['scene']}, {row['state']} | {row['blocks']} | {row['core_us_per_block_and_step']:.0f} | "
-                  f"{row['least']:.0f} to {row['most']:.0f} | {show(row.get('musim'))} |")
+                  f"{row['least']:.0f} to {row['most']:.0f} |" + (f" {show(row['musim'])} |" if row.get("musim") else ""))
