@@ -37,6 +37,8 @@ class FaceJoiner {
     }
 
   private:
+    /// Faces are flat together where they are within this many tolerances of a plane [-].
+    static constexpr double kFlat = 8.0;
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
     std::uint32_t corner(const Side& side) const { return triangles_[side.triangle].corners[side.edge]; }
@@ -139,12 +141,6 @@ class FaceJoiner {
         return length;
     }
 
-    void unite(std::uint32_t a, std::uint32_t b) {
-        for (std::uint32_t& face : face_) {
-            if (face == b) face = a;
-        }
-    }
-
     /// Joins faces where one is no convex polygon; returns whether there was one. One at a time, since each changes others.
     bool repair_faces() {
         const std::vector<Loop> loops = find_all_loops();
@@ -158,52 +154,73 @@ class FaceJoiner {
             }
             // of two loops around a face the shorter one is around an island
             const Loop& island = find_length(loops[k]) < find_length(loops[known]) ? loops[k] : loops[known];
-            unite(face_[island.front().triangle], face_[across(island.front())]);
-            return true;
+            return unite_with_nearest(island, std::numeric_limits<double>::infinity());
         }
         return std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) { return repair_face(loop); });
     }
 
     bool repair_face(const Loop& loop) {
-        const std::uint32_t face = face_[loop.front().triangle];
         const std::vector<std::uint32_t> corners = find_corners(loop);
-        if (corners.size() < 3) {
-            const auto longest = std::max_element(loop.begin(), loop.end(),
-                                                  [&](const Side& a, const Side& b) { return find_length({a}) < find_length({b}); });
-            unite(face_[across(*longest)], face);
-            return true;
-        }
+        if (corners.size() < 3) return unite_with_nearest(loop, std::numeric_limits<double>::infinity());
         const Vector3 normal = sum_cross_products(points_, corners).normalized();
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vector3& here = points_[corners[(i + 1) % corners.size()]];
             const Vector3 before = here - points_[corners[i]], after = points_[corners[(i + 2) % corners.size()]] - here;
             const Vector3 chord = before + after;
             if (normal.dot(before.cross(after)) >= -tolerance_ * chord.norm()) continue;
-            unite(find_flattest(loop, corners[(i + 1) % corners.size()]), face);
-            return true;
+            // a dent that no face beside it fills in a plane stays: it is a nick of the tolerance's size
+            Loop at_dent;
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const std::uint32_t dent = corners[(i + 1) % corners.size()];
+                if (corner(loop[k]) == dent || corner(loop[(k + 1) % loop.size()]) == dent) at_dent.push_back(loop[k]);
+            }
+            if (unite_with_nearest(at_dent, kFlat * tolerance_)) return true;
         }
         return false;
     }
 
-    /// The face beside a loop at one of its corners whose plane is the nearest to the loop's face.
-    std::uint32_t find_flattest(const Loop& loop, std::uint32_t at) const {
+    /// Joins the face of some sides with the one across whose points are nearest to its plane, or whose plane is nearest to its points, if
+    /// they are within a limit; returns whether.
+    bool unite_with_nearest(const Loop& sides, double limit) {
+        const std::uint32_t face = face_[sides.front().triangle];
         std::uint32_t best = kNone;
-        double flattest = -2.0;
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Side& side = loop[i];
-            if (corner(side) != at && corner(loop[(i + 1) % loop.size()]) != at) continue;
-            const double cosine = find_normal(face_[side.triangle]).dot(find_normal(face_[across(side)]));
-            if (cosine > flattest) flattest = cosine, best = face_[across(side)];
+        double nearest = limit;
+        for (const Side& side : sides) {
+            const std::uint32_t other = face_[across(side)];
+            const double height = find_area(face) < find_area(other) ? find_height(face, other) : find_height(other, face);
+            if (height <= nearest) nearest = height, best = other;
         }
-        return best;
+        if (best == kNone) return false;
+        std::replace(face_.begin(), face_.end(), best, face);
+        return true;
     }
 
-    Vector3 find_normal(std::uint32_t face) const {
-        Vector3 normal = Vector3::Zero();
+    double find_area(std::uint32_t face) const { return find_vector(face).norm(); }
+
+    /// Twice the vector of area of a face.
+    Vector3 find_vector(std::uint32_t face) const {
+        Vector3 sum = Vector3::Zero();
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
-            if (face_[t] == face) normal += areas_[t];
+            if (face_[t] == face) sum += areas_[t];
         }
-        return normal.normalized();
+        return sum;
+    }
+
+    /// The largest distance of a point of one face from the plane of another.
+    double find_height(std::uint32_t face, std::uint32_t other) const {
+        const Vector3 normal = find_vector(other).normalized();
+        double offset = 0.0, area = 0.0, height = 0.0;
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            if (face_[t] != other) continue;
+            const auto& c = triangles_[t].corners;
+            offset += areas_[t].norm() * normal.dot(points_[c[0]] + points_[c[1]] + points_[c[2]]) / 3.0;
+            area += areas_[t].norm();
+        }
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            if (face_[t] != face) continue;
+            for (const std::uint32_t c : triangles_[t].corners) height = std::max(height, std::abs(normal.dot(points_[c]) - offset / area));
+        }
+        return height;
     }
 
     std::span<const Vector3> points_;

@@ -11,7 +11,8 @@ namespace musim::lsdem::detail {
 
 /// Joins triangles of a convex hull that lie in one plane to `tolerance` into faces, each a loop of corners, counter-clockwise seen from
 /// outside. Corners with fewer than three faces drop out. Every edge is in two faces, whatever the rounding: where joined triangles enclose
-/// others, or a face keeps fewer than three corners or is dented by more than the tolerance, it is joined with the faces there.
+/// others, or a face keeps fewer than three corners, it is joined with the face beside it that is the flattest with it; so is a face that
+/// is dented by more than the tolerance, if the two are flat to a few of it.
 std::vector<std::vector<std::uint32_t>> join_hull_triangles(std::span<const Vector3> points, std::span<const HullTriangle> triangles,
                                                             double tolerance);
 

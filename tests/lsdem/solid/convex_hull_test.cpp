@@ -193,6 +193,27 @@ TEST_CASE("hulls of points with rounding of any size are closed and convex to th
     }
 }
 
+TEST_CASE("clusters of points as wide as the tolerance make one corner each, or some, and cost no other") {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    for (int i = 0; i < 400; ++i) {
+        const double width = std::pow(10.0, -16.0 + 8.0 * (i % 40) / 40.0);
+        Points points;
+        for (int k = 0; k < 12; ++k) {
+            const Vector3 middle(number(random), number(random), number(random));
+            for (int n = 0; n < 4; ++n) points.push_back(middle + width * Vector3(number(random), number(random), number(random)));
+        }
+        const Polyhedron hull = make_convex_hull(points);
+        CAPTURE(width);
+        REQUIRE(is_convex_polyhedron(hull, 16.0 * kSamePlane));
+        double beyond = 0.0;
+        for (const Polyhedron::Face& face : hull.faces) {
+            for (const Vector3& point : points) beyond = std::max(beyond, -face.plane.depth(point));
+        }
+        REQUIRE(beyond < 16.0 * kSamePlane);
+    }
+}
+
 TEST_CASE("a far origin tears no hull: planes are known to the rounding of coordinates") {
     std::mt19937_64 random(8);
     for (const double far : {1e3, 1e5, 1e7}) {
