@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "lsdem/export/base64.hpp"
-#include "lsdem/export/gltf_buffer.hpp"
+#include "lsdem/export/detail/gltf_buffer.hpp"
 #include "lsdem/export/surface_mesh.hpp"
 #include "lsdem/plot/body_view.hpp"
 #include "records/error.hpp"
@@ -210,7 +210,7 @@ class GltfDocument {
 
     const ExportedBlocks& exported_;
     Json document_;
-    GltfBuffer buffer_;
+    detail::GltfBuffer buffer_;
     std::map<std::string, std::size_t> materials_;
     std::map<std::pair<const BlockShape*, std::size_t>, std::size_t> meshes_;
     std::map<const BlockShape*, std::array<std::size_t, 3>> lists_;  ///< accessors of places, normals and triangles

@@ -13,7 +13,7 @@
 #include "lsdem/solid/mass_properties.hpp"
 #include "records/error.hpp"
 #include "scaling/laws/law_similitude.hpp"
-#include "tests/study/export/gltf_check.hpp"
+#include "tests/support/gltf_check.hpp"
 
 using namespace musim::lsdem;
 using musim::tests::GltfCheck;

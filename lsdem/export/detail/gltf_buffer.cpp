@@ -1,11 +1,11 @@
-#include "lsdem/export/gltf_buffer.hpp"
+#include "lsdem/export/detail/gltf_buffer.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
 #include <utility>
 
-namespace musim::lsdem {
+namespace musim::lsdem::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -98,4 +98,4 @@ Json GltfBuffer::views() const {
     return views;
 }
 
-}  // namespace musim::lsdem
+}  // namespace musim::lsdem::detail

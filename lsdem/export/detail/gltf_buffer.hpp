@@ -8,7 +8,7 @@
 
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem {
+namespace musim::lsdem::detail {
 
 /// The numbers of a glTF file: one buffer of three views, and the accessors that say where each list lies in them.
 class GltfBuffer {
@@ -42,4 +42,4 @@ class GltfBuffer {
     nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
 };
 
-}  // namespace musim::lsdem
+}  // namespace musim::lsdem::detail
