@@ -1,5 +1,5 @@
-"""ParaView reads result.xdmf: times, places, sizes, turns and velocities of all blocks, with units in their names; scripts/paraview_blocks.py
-makes a picture of it.
+"""ParaView reads result.xdmf: times, places, sizes, turns and velocities of all blocks, with units in their names; surfaces of blocks of other
+shapes; scripts/paraview_blocks.py makes a picture of it.
 
 usage: paraview_test.py MUSIM. Exit code 77: skipped, since there is no ParaView.
 """
@@ -22,6 +22,32 @@ SCENE = {
     "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.5 g", "duration": "20 ms"},
     "time": {"duration": "20 ms"}, "output": {"spine_rate": "500 Hz", "frame_rate": "500 Hz"},
 }
+
+# a drum that is thrown and turns
+SHAPES = {
+    "schema": "musim-scene/1", "name": "drum", "material": "wood", "ground": {"present": False},
+    "shapes": {"drum": {"kind": "cylinder", "radius": "50 mm", "height": "120 mm", "flats": 12, "top_radius": "40 mm"}},
+    "structure": {"kind": "blocks", "blocks": [
+        {"shape": "drum", "position": ["0 m", "0 m", "0.1 m"], "velocity": ["1 m/s", "2 m/s", "0 m/s"], "angular_velocity": ["20 1/s", "9 1/s", "30 1/s"]},
+        {"size": ["0.1 m", "0.1 m", "0.1 m"], "position": ["0.5 m", "0 m", "0.05 m"]}]},
+    "time": {"duration": "40 ms"}, "output": {"spine_rate": "500 Hz", "frame_rate": "100 Hz"},
+}
+
+READ_SURFACES = """
+import json, sys
+from paraview import simple, servermanager
+reader = simple.XDMFReader(FileNames=[sys.argv[1]])
+reader.UpdatePipelineInformation()
+frames = []
+for time in reader.TimestepValues:
+    reader.UpdatePipeline(time)
+    data = servermanager.Fetch(reader)
+    cells = data.GetCellData()
+    frames.append({"time": time, "places": [data.GetPoint(i) for i in range(data.GetNumberOfPoints())], "faces": data.GetNumberOfCells(),
+                   "block": [cells.GetArray("block").GetTuple(i)[0] for i in range(data.GetNumberOfCells())],
+                   "velocity": [cells.GetArray("velocity [m/s]").GetTuple(i) for i in range(data.GetNumberOfCells())]})
+print("FRAMES" + json.dumps(frames))
+"""
 
 READ = """
 import json, sys
@@ -66,7 +92,33 @@ def main():
         script = pathlib.Path(__file__).resolve().parents[2] / "scripts/paraview_blocks.py"
         subprocess.run(["pvpython", "--force-offscreen-rendering", script, "out", "blocks.png", "0.01"], cwd=place, check=True, capture_output=True)
         assert (place / "blocks.png").read_bytes().startswith(b"\x89PNG"), "no picture"
+        check_surfaces(place, pathlib.Path(sys.argv[1]).resolve(), script)
     print("ParaView reads what musim writes")
+
+
+def check_surfaces(place, musim, script):
+    """Corners are those that `musim export` writes at the same times, and faces have the velocities of their block."""
+    (place / "shapes.json").write_text(json.dumps(SHAPES))
+    (place / "surfaces.py").write_text(READ_SURFACES)
+    subprocess.run([musim, "run", "shapes.json", "-o", "shapes"], cwd=place, check=True, capture_output=True)
+    given = subprocess.run(["pvpython", "--force-offscreen-rendering", "surfaces.py", place / "shapes/result.xdmf"], cwd=place, check=True,
+                           capture_output=True, text=True)
+    assert "ERR" not in given.stderr + given.stdout, given.stderr
+    frames = json.loads(next(line[6:] for line in given.stdout.splitlines() if line.startswith("FRAMES")))
+    assert len(frames) == 5, len(frames)
+    for frame in frames:
+        subprocess.run([musim, "export", "shapes", "-o", "shapes.obj", "--at", str(frame["time"])], cwd=place, check=True, capture_output=True)
+        lines = [line.split() for line in (place / "shapes.obj").read_text().splitlines()]
+        corners = sorted([float(word) for word in words[1:]] for words in lines if words[0] == "v")
+        assert len(corners) == len(frame["places"]) == 24 + 8
+        for a, b in zip(corners, sorted(frame["places"])):
+            assert sum((x - y) ** 2 for x, y in zip(a, b)) ** 0.5 < 1e-6, (frame["time"], a, b)
+        assert frame["faces"] == 14 + 6 and frame["block"] == [0] * 14 + [1] * 6
+        # gravity has no part along x
+        assert all(close(velocity[0], 1.0, 4.0) for velocity in frame["velocity"][:14]), frame["velocity"][0]
+    assert frames[0]["places"] != frames[-1]["places"], "the surfaces do not move"
+    subprocess.run(["pvpython", "--force-offscreen-rendering", script, "shapes", "shapes.png"], cwd=place, check=True, capture_output=True)
+    assert (place / "shapes.png").read_bytes().startswith(b"\x89PNG"), "no picture of shapes"
 
 
 def check_motion(frames, samples):
