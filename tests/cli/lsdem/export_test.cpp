@@ -11,7 +11,7 @@ using musim::tests::GltfCheck;
 namespace {
 
 /// A column that is shaken for 20 ms; with frames, 11 of them.
-std::string make_column(bool frames) {
+std::string make_stack_of_two(bool frames) {
     return std::string(R"({"schema": "musim-scene/1", "name": "column", "material": "wood",
         "structure": {"kind": "column", "layers": 3, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]},
         "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.5 g", "duration": "20 ms"},
@@ -23,7 +23,7 @@ std::string make_column(bool frames) {
 
 TEST_CASE("export writes a run as glTF, with its motion, and a scene as drawn") {
     const Workplace here;
-    here.write("scene.json", make_column(true));
+    here.write("scene.json", make_stack_of_two(true));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
     const Outcome outcome = here.run("export out -o column.glb --json");
     REQUIRE(outcome.exit_code == 0);
@@ -53,7 +53,7 @@ TEST_CASE("export writes a run as glTF, with its motion, and a scene as drawn") 
 
 TEST_CASE("export writes one instant as OBJ or STL, by the name or as told") {
     const Workplace here;
-    here.write("scene.json", make_column(true));
+    here.write("scene.json", make_stack_of_two(true));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
     const Outcome outcome = here.run("export out -o column.OBJ --at 0.01");
     REQUIRE(outcome.exit_code == 0);
@@ -68,7 +68,7 @@ TEST_CASE("export writes one instant as OBJ or STL, by the name or as told") {
 
 TEST_CASE("export says that nothing moves where a run has kept no frames") {
     const Workplace here;
-    here.write("scene.json", make_column(false));
+    here.write("scene.json", make_stack_of_two(false));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
     const Outcome outcome = here.run("export out -o column.glb");
     CHECK(outcome.exit_code == 0);
@@ -80,7 +80,7 @@ TEST_CASE("export says that nothing moves where a run has kept no frames") {
 
 TEST_CASE("what export cannot do is refused in one line, and leaves no file") {
     const Workplace here;
-    here.write("scene.json", make_column(true));
+    here.write("scene.json", make_stack_of_two(true));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
     struct Refused {
         const char *arguments, *why;
