@@ -51,7 +51,7 @@ TEST_CASE("export writes a run as glTF, with its motion, and a scene as drawn") 
     CHECK(drawn.json["nodes"][1]["translation"][2].get<double>() == doctest::Approx(0.5 * 0.03978).epsilon(1e-6));
 }
 
-TEST_CASE("export writes one instant as OBJ or STL, by the name or as told") {
+TEST_CASE("export writes one instant as OBJ or STL, by the name or by an option") {
     const Workplace here;
     here.write("scene.json", make_stack_of_two(true));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
