@@ -129,6 +129,7 @@ TEST_CASE("binary numbers of 32 bits are known as such") {
 TEST_CASE("wrong headers and rows of a PLY are refused with their line") {
     const std::string text = write_ply({});
     check_ply_refused("", "a.ply:1: is no PLY: it does not begin with 'ply'");
+    check_ply_refused("ply end_header", "a.ply:1: has no element face");
     check_ply_refused("ply\nformat ascii 1.0\nelement vertex 3\n", "the file's end stands in the header; the file has lost its end");
     check_ply_refused(replaced(text, "ascii", "utf8"), "a.ply:2: 'utf8' is no format of a PLY");
     check_ply_refused(replaced(text, "float x", "real x"), "a.ply:8: 'real' is no type of a property");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace musim::lsdem::detail {
@@ -64,7 +65,7 @@ std::optional<std::endian> parse_ply_format(MeshWords& words) {
 /// Where a binary file's rows begin: behind one line end, which is that of the first line, since the first row may look like another.
 std::size_t find_ply_rows(std::string_view bytes, std::size_t offset) {
     while (offset < bytes.size() && (bytes[offset] == ' ' || bytes[offset] == '\t')) ++offset;
-    const std::size_t first = bytes.find_first_of("\r\n");
+    const std::size_t first = std::min(bytes.find_first_of("\r\n"), bytes.size());
     return offset + (bytes.substr(first).starts_with("\r\n") ? 2 : 1);
 }
 
