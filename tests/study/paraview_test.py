@@ -1,10 +1,11 @@
 """ParaView reads result.xdmf: times, places, sizes, turns and velocities of all blocks, with units in their names; surfaces of blocks of other
 shapes; scripts/paraview_blocks.py makes a picture of it.
 
-usage: paraview_test.py MUSIM. Exit code 77: skipped, since there is no ParaView.
+usage: paraview_test.py MUSIM. Exit code 77: skipped, since there is no ParaView, or neither a display nor xvfb-run to draw without one.
 """
 import csv
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -15,6 +16,11 @@ SKIPPED = 77
 if shutil.which("pvpython") is None:
     print("skipped: there is no pvpython (Debian: paraview, python3-paraview)")
     sys.exit(SKIPPED)
+HAS_DISPLAY = bool(os.environ.get("DISPLAY"))
+if not HAS_DISPLAY and shutil.which("xvfb-run") is None:
+    print("skipped: pictures of ParaView need a display or xvfb-run (Debian: xvfb, xauth)")
+    sys.exit(SKIPPED)
+PVPYTHON = ([] if HAS_DISPLAY else ["xvfb-run", "-a"]) + ["pvpython", "--force-offscreen-rendering"]
 
 SCENE = {
     "schema": "musim-scene/1", "name": "column", "material": "wood",
@@ -76,7 +82,7 @@ def main():
         (place / "scene.json").write_text(json.dumps(SCENE))
         (place / "read.py").write_text(READ)
         subprocess.run([pathlib.Path(sys.argv[1]).resolve(), "run", "scene.json", "-o", "out"], cwd=place, check=True, capture_output=True)
-        given = subprocess.run(["pvpython", "--force-offscreen-rendering", "read.py", place / "out/result.xdmf"], cwd=place, check=True, capture_output=True, text=True).stdout
+        given = subprocess.run([*PVPYTHON, "read.py", place / "out/result.xdmf"], cwd=place, check=True, capture_output=True, text=True).stdout
         frames = json.loads(next(line[6:] for line in given.splitlines() if line.startswith("FRAMES")))
         with open(place / "out/spine.csv", newline="") as file:
             samples = list(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -90,7 +96,7 @@ def main():
                 assert close(sum(part * part for part in q), 1.0, 8.0), q
         check_motion(frames, samples)
         script = pathlib.Path(__file__).resolve().parents[2] / "scripts/paraview_blocks.py"
-        subprocess.run(["pvpython", "--force-offscreen-rendering", script, "out", "blocks.png", "0.01"], cwd=place, check=True, capture_output=True)
+        subprocess.run([*PVPYTHON, script, "out", "blocks.png", "0.01"], cwd=place, check=True, capture_output=True)
         assert (place / "blocks.png").read_bytes().startswith(b"\x89PNG"), "no picture"
         check_surfaces(place, pathlib.Path(sys.argv[1]).resolve(), script)
     print("ParaView reads what musim writes")
@@ -101,7 +107,7 @@ def check_surfaces(place, musim, script):
     (place / "shapes.json").write_text(json.dumps(SHAPES))
     (place / "surfaces.py").write_text(READ_SURFACES)
     subprocess.run([musim, "run", "shapes.json", "-o", "shapes"], cwd=place, check=True, capture_output=True)
-    given = subprocess.run(["pvpython", "--force-offscreen-rendering", "surfaces.py", place / "shapes/result.xdmf"], cwd=place, check=True,
+    given = subprocess.run([*PVPYTHON, "surfaces.py", place / "shapes/result.xdmf"], cwd=place, check=True,
                            capture_output=True, text=True)
     assert "ERR" not in given.stderr + given.stdout, given.stderr
     frames = json.loads(next(line[6:] for line in given.stdout.splitlines() if line.startswith("FRAMES")))
@@ -117,7 +123,7 @@ def check_surfaces(place, musim, script):
         # gravity has no part along x
         assert all(close(velocity[0], 1.0, 4.0) for velocity in frame["velocity"][:14]), frame["velocity"][0]
     assert frames[0]["places"] != frames[-1]["places"], "the surfaces do not move"
-    subprocess.run(["pvpython", "--force-offscreen-rendering", script, "shapes", "shapes.png"], cwd=place, check=True, capture_output=True)
+    subprocess.run([*PVPYTHON, script, "shapes", "shapes.png"], cwd=place, check=True, capture_output=True)
     assert (place / "shapes.png").read_bytes().startswith(b"\x89PNG"), "no picture of shapes"
 
 
