@@ -36,6 +36,7 @@ struct Block {
     Vector3 angular_velocity = Vector3::Zero();       ///< world frame [rad/s]
     bool fixed = false;                               ///< held in place: takes forces, does not move
     bool rotation_locked = false;                     ///< translates only; for wave-speed calibration and rigid-plastic limits
+    bool with_base = false;                           ///< of a fixed one: it moves as the base does instead
 };
 
 /// Joint of blocks of two materials, or of one with the ground, where it does not follow from the two by combine().

@@ -48,7 +48,7 @@ static void exchange(Archive& archive, MaterialPair& p) { archive(p.first, p.sec
 
 static void exchange(Archive& archive, Block& b) {
     archive(b.shape, b.material, b.mass, b.height_offset, b.position, b.orientation, b.velocity, b.angular_velocity, b.fixed,
-            b.rotation_locked);
+            b.rotation_locked, b.with_base);
 }
 
 static void exchange(Archive& archive, BaseComponent& c) { archive(c.start, c.dt, c.velocity); }

@@ -60,7 +60,7 @@ Vector3 Simulation::contact_torque(std::size_t block) const { return implementat
 
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
-    if (s.bodies.fixed.at(block) != 0) return Vector3::Zero();
+    if (s.bodies.fixed.at(block) != 0) return s.bodies.velocity[block];
     return s.velocity_after(s.decay_over(0.5 * s.base.pose.elapsed), block, contact_force(block));
 }
 

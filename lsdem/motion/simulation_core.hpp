@@ -80,6 +80,7 @@ struct StepWork {
 
     detail::TouchList touches;         ///< what pushes each block
     std::size_t end_of_loose = 0;      ///< from this block on all are held
+    std::vector<std::size_t> carried;  ///< held blocks that move as the base does
     detail::SharedWork pairs;          ///< of the list
     std::deque<OverlapBatch> batches;  ///< per thread
     std::vector<double> drift;         ///< per thread, largest of its blocks [m]
@@ -115,6 +116,8 @@ struct Simulation::Implementation {
     /// Moves all by `h` [s], to the time at which the base is where its motion has it then.
     void move(double h, double time);
     void update_contacts();
+    /// Gives what moves as the base does its velocity over `h` [s].
+    void carry_blocks(double h);
     /// Looks for a block that has left its place, unless one has.
     void note_leaving();
     void rebuild();

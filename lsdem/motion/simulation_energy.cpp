@@ -55,6 +55,7 @@ void Simulation::Implementation::restart_balance() {
 double Simulation::Implementation::gravitational() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.fixed[i] != 0) continue;
         sum -= bodies.mass[i] * model.gravity.dot(bodies.pose[i].position - bodies.start_position[i]);
     }
     return sum;

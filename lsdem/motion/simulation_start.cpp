@@ -96,6 +96,9 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     balance.finished.block.resize(model.blocks.size());
     for (int thread = 0; thread < work.team.size(); ++thread) work.batches.emplace_back(bodies, base.pose, list);
     smallest_edge = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (model.blocks[i].fixed && model.blocks[i].with_base) work.carried.push_back(i);
+    }
     for (const BodyPose& pose : bodies.pose) smallest_edge = std::min(smallest_edge, 2.0 * pose.half.minCoeff());
     for (const Block& block : model.blocks) balance.weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
     balance.floor = kEnergyFloor * balance.weight_times_edge + find_rounding_energy(model);
@@ -109,6 +112,7 @@ void Simulation::Implementation::start() {
     const double h = substep_length();
     base.pose.previous = base.motion.displacement(-h);
     base.pose.elapsed = h;
+    carry_blocks(h);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies.pose[i].step.shift = h * bodies.velocity[i];
         if (bodies.fixed[i] != 0) continue;

@@ -63,6 +63,7 @@ void Simulation::Implementation::move(double h, double time) {
     base.pose.elapsed = h;
     base.pose.previous = base.pose.displacement;
     if (!preparation.active) base.pose.displacement = base.origin + base.motion.displacement(time);
+    carry_blocks(h);
     const detail::Leap leap{.touches = work.touches,
                             .forces = list.forces,
                             .reference = search.reference(),
@@ -81,6 +82,10 @@ void Simulation::Implementation::move(double h, double time) {
         work.drift[static_cast<std::size_t>(thread)] = detail::move_blocks(leap, share, bodies);
     };
     work.team.run(task);
+}
+
+void Simulation::Implementation::carry_blocks(double h) {
+    for (const std::size_t i : work.carried) bodies.velocity[i] = (base.pose.displacement - base.pose.previous) / h;
 }
 
 void Simulation::Implementation::rebuild() {
@@ -118,6 +123,8 @@ void Simulation::Implementation::update_contacts() {
     work.team.run(task);
     Vector3 force = Vector3::Zero();
     for (const std::uint32_t p : list.ground_pairs) force += list.forces[p].force;
+    // what moves as the base does bears its neighbors for the base
+    for (const std::size_t i : work.carried) force -= work.touches.sum(i, list.forces).force;
     base.work += 0.5 * (base.force + force).dot(base.pose.displacement - base.pose.previous);
     base.force = force;
 }

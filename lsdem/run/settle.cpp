@@ -31,7 +31,7 @@ double find_liveliest(const Simulation& simulation) {
 CarriedWeight::CarriedWeight(const Model& model) : gravity_(model.gravity) {
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         if (model.blocks[b].fixed) {
-            fixed_.push_back(b);
+            if (!model.blocks[b].with_base) fixed_.push_back(b);  // the base bears what moves with it
         } else {
             mass_ += model.blocks[b].mass;
         }

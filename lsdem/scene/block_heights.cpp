@@ -14,13 +14,13 @@ double draw_normal(detail::SplitMix64& random) {
     return radius * std::cos(2.0 * std::numbers::pi * random.uniform());
 }
 
-template <class Layered>
-std::optional<HeightVariation> variation_of(const Layered& structure) {
-    if (structure.height_deviation == scaling::Length{}) return std::nullopt;
-    return HeightVariation{structure.height_deviation, structure.seed};
+template <class OfStructure>
+std::optional<HeightVariation> variation_of(const OfStructure& structure) {
+    if constexpr (requires { structure.height_deviation; }) {
+        if (structure.height_deviation != scaling::Length{}) return HeightVariation{structure.height_deviation, structure.seed};
+    }
+    return std::nullopt;
 }
-
-std::optional<HeightVariation> variation_of(const BlockList& /*list*/) { return std::nullopt; }
 
 }  // namespace
 

@@ -23,7 +23,7 @@ struct HeightVariation {
     std::uint64_t seed = 1;
 };
 
-/// The variation that a scene asks for, if any; an explicit list of blocks has none.
+/// The variation that a scene asks for, if any; only a column, a tower and a wall have one.
 std::optional<HeightVariation> find_height_variation(const Scene& scene);
 
 /// `count` draws z_i from the normal distribution of mean 0 and deviation 1, none beyond kMostDeviates [-]; the height of block i is

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lsdem/contact_law.hpp"
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/detail/placement.hpp"
@@ -25,12 +26,12 @@ namespace {
 
 using detail::Placement;
 
-/// A block as messages call it: its place in an explicit list, or its number and layer.
+/// A block as messages call it: its place in an explicit list, its number and name, or its number and layer.
 std::string name_block(const Scene& scene, const std::vector<Placement>& blocks, std::size_t index) {
-    if (std::holds_alternative<BlockList>(scene.structure)) {
-        const std::string& name = blocks[index].name;
+    const std::string& name = blocks[index].name;
+    if (std::holds_alternative<BlockList>(scene.structure))
         return fmt::format("/structure/blocks/{}{}", index, name.empty() ? name : fmt::format(" (\"{}\")", name));
-    }
+    if (is_listed(scene)) return fmt::format("block {} (\"{}\")", index, name);
     return fmt::format("block {} (layer {})", index, blocks[index].layer);
 }
 
@@ -91,6 +92,7 @@ class ModelBuilder {
         block.velocity = placement.velocity;
         block.angular_velocity = placement.angular_velocity;
         block.fixed = placement.fixed;
+        block.with_base = placement.with_base;
         block.rotation_locked = placement.rotation_locked;
         model_.blocks.push_back(block);
     }

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
 
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/block_heights.hpp"
+#include "lsdem/scene/detail/each_structure.hpp"
 #include "lsdem/scene/detail/require.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_key.hpp"
@@ -119,6 +122,28 @@ void check(const BlockList& list, const JsonPlace& place, const Scene& scene) {
     }
 }
 
+/// Places and names of structures, and that names of blocks that follow from these differ.
+void check_assembly(const Assembly& assembly, const Scene& scene, const JsonPlace& place) {
+    if (assembly.structures.empty()) fail(place, "no structure (nothing to simulate); add one");
+    std::map<std::string, std::size_t> names;
+    for (std::size_t k = 0; k < assembly.structures.size(); ++k) {
+        const PlacedStructure& placed = assembly.structures[k];
+        require_fields(placed, place.at(k));
+        if (placed.name.empty()) continue;
+        check_name(placed.name, place.at(k).at("name"));
+        const auto [first, is_new] = names.emplace(placed.name, k);
+        if (!is_new) {
+            fail(place.at(k).at("name"),
+                 fmt::format("structure {} is called \"{}\" as well; give each a name of its own", first->second, placed.name));
+        }
+    }
+    std::set<std::string> blocks;
+    const Scene listed = as_listed(scene);
+    for (const BlockEntry& block : std::get<BlockList>(listed.structure).blocks) {
+        if (!blocks.insert(block.name).second) fail(place, fmt::format("two blocks are called \"{}\"; rename a structure", block.name));
+    }
+}
+
 void check_pitch(const std::optional<scaling::Length>& pitch, const Triple<scaling::Length>& block, const JsonPlace& place) {
     const scaling::Length p = pitch.value_or(default_pitch(block));
     if (!(block[0] <= p && block[1] <= 2.0 * p)) {
@@ -139,6 +164,9 @@ void check_heights(scaling::Length deviation, scaling::Length height, const Json
     }
 }
 
+void check(const ShapeColumn& /*column*/, const JsonPlace& /*place*/, const Scene& /*scene*/) {}
+void check(const Arch& /*arch*/, const JsonPlace& /*place*/, const Scene& /*scene*/) {}
+
 void check(const Column& column, const JsonPlace& place, const Scene& /*scene*/) {
     require_fields(column, place);
     check_heights(column.height_deviation, column.block[2], place.at("height_deviation"));
@@ -147,6 +175,9 @@ void check(const Column& column, const JsonPlace& place, const Scene& /*scene*/)
 void check(const Tower& tower, const JsonPlace& place, const Scene& /*scene*/) {
     require_fields(tower, place);
     check_pitch(tower.pitch, tower.block, place);
+    if (!tower.shape.empty() && tower.height_deviation.value() != 0.0) {
+        fail(place.at("height_deviation"), "only boxes are taller or shorter than drawn (the blocks have a \"shape\"); leave it out");
+    }
     check_heights(tower.height_deviation, tower.block[2], place.at("height_deviation"));
 }
 
@@ -187,7 +218,10 @@ void check(const SignalMotion& motion, const JsonPlace& place) {
 
 void check(const Preparation& preparation, const JsonPlace& place, const Scene& scene) {
     require(preparation.damping_rate, Range::positive, place.at("damping_rate"));
-    const bool listed = std::holds_alternative<BlockList>(scene.structure);
+    const bool listed = is_listed(scene);
+    const auto* tower = std::get_if<Tower>(&scene.structure);
+    if (tower != nullptr && !tower->shape.empty() && preparation.placing.value_or(BlockPlacing::as_drawn) != BlockPlacing::as_drawn)
+        fail(place.at("placing"), "only boxes are laid in layers (the tower's blocks have a \"shape\"); use \"as_drawn\"");
     if (listed && preparation.placing.value_or(BlockPlacing::as_drawn) != BlockPlacing::as_drawn)
         fail(place.at("placing"), "only columns, towers and walls have layers to be placed (these are single blocks); use \"as_drawn\"");
     if (listed && preparation.specimen)
@@ -245,9 +279,12 @@ bool Scene::is_sphere(const BlockEntry& block) const {
 }
 
 bool Scene::has_contact_nodes() const {
-    const auto* list = std::get_if<BlockList>(&structure);
-    const bool has_spheres =
-        list != nullptr && std::any_of(list->blocks.begin(), list->blocks.end(), [&](const BlockEntry& block) { return is_sphere(block); });
+    bool has_spheres = false;
+    detail::for_each_structure(*this, JsonPlace{}, [&](const auto& one, const JsonPlace& /*place*/) {
+        if constexpr (std::is_same_v<decltype(one), const BlockList&>) {
+            has_spheres |= std::any_of(one.blocks.begin(), one.blocks.end(), [&](const BlockEntry& block) { return is_sphere(block); });
+        }
+    });
     return face_contact != FaceContact::overlap || !std::holds_alternative<BoxShape>(shape) || has_spheres;
 }
 
@@ -261,13 +298,18 @@ void check_scene(const Scene& scene, const std::string& origin) {
     const JsonPlace root{origin + ": /"};
     require(scene.gravity, Range::finite, root.at("gravity"));
     std::visit([&](const auto& shape) { require_fields(shape, root.at("shape")); }, scene.shape);
-    if (std::holds_alternative<SphereShape>(scene.shape) && !std::holds_alternative<BlockList>(scene.structure)) {
-        fail(root.at("shape").at("kind"),
-             "spheres cannot be stacked as a column, tower or wall; use \"box\", or a structure of kind \"blocks\"");
-    }
+    detail::for_each_structure(scene, root, [&](const auto& structure, const JsonPlace& /*place*/) {
+        if constexpr (requires { structure.height_deviation; }) {
+            if (!std::holds_alternative<SphereShape>(scene.shape)) return;
+            fail(root.at("shape").at("kind"),
+                 "spheres cannot be stacked as a column, tower or wall; use \"box\", or a structure of kind \"blocks\"");
+        }
+    });
     detail::check_shapes(scene, root);
     detail::check_kinds(scene, root);
-    std::visit([&](const auto& structure) { check(structure, root.at("structure"), scene); }, scene.structure);
+    detail::for_each_structure(scene, root, [&](const auto& structure, const JsonPlace& place) { check(structure, place, scene); });
+    if (const auto* assembly = std::get_if<Assembly>(&scene.structure)) check_assembly(*assembly, scene, root.at("structures"));
+    if (scene.scatter) require_fields(*scene.scatter, root.at("scatter"));
     check(scene.material, root.at("material"));
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
     check_pairs(scene, root.at("pairs"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lsdem/scene/detail/each_structure.hpp"
 #include "lsdem/scene/detail/require.hpp"
 #include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/detail/unlikely_values.hpp"
@@ -106,10 +107,17 @@ void read_contact(const JsonReader& object, Scene& scene) {
 /// Is there a block of a material that a pair names, or the ground that it names?
 bool meets(const Scene& scene, const std::string& name) {
     if (name == kGroundName) return scene.ground.present;
-    const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list == nullptr) return name == kOwnMaterialName;
-    return std::any_of(list->blocks.begin(), list->blocks.end(),
-                       [&](const BlockEntry& block) { return block.material == (name == kOwnMaterialName ? "" : name); });
+    bool found = false;
+    const std::string wanted = name == kOwnMaterialName ? "" : name;
+    detail::for_each_structure(scene, detail::JsonPlace{}, [&](const auto& structure, const detail::JsonPlace& /*place*/) {
+        if constexpr (requires { structure.blocks.front().material; }) {
+            found |= std::any_of(structure.blocks.begin(), structure.blocks.end(),
+                                 [&](const BlockEntry& block) { return block.material == wanted; });
+        } else {
+            found |= wanted.empty();
+        }
+    });
+    return found;
 }
 
 /// Remarks on the settings of a scene that change nothing.
@@ -148,11 +156,18 @@ void drop_idle_settings(Scene& scene) {
 
 /// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
 void collect_materials(const JsonReader& object, const detail::FindStiffnessBase& base, Scene& scene) {
-    if (!std::holds_alternative<BlockList>(scene.structure)) return;
-    for (const JsonReader& block : object["structure"]["blocks"].entries()) {
-        const std::string name = block.find<std::string>("material").value_or("");
-        if (!name.empty() && !scene.materials.contains(name)) scene.materials.emplace(name, parse_material(block["material"], base));
-    }
+    const detail::SceneRules rules(&scene.text);
+    detail::for_each_structure(scene, detail::JsonPlace{object.place()}, [&](const auto& structure, const detail::JsonPlace& place) {
+        if constexpr (requires { structure.blocks.front().material; }) {
+            for (std::size_t k = 0; k < structure.blocks.size(); ++k) {
+                const std::string& name = structure.blocks[k].material;
+                if (name.empty() || scene.materials.contains(name)) continue;
+                const Json text = name;
+                const JsonReader value(text, rules, place.at("blocks").at(k).at("material").text);
+                scene.materials.emplace(name, parse_material(value, base));
+            }
+        }
+    });
 }
 
 /// Materials and pairs of a scene whose structure is read.
@@ -188,7 +203,15 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     if (object.has("shape")) scene.shape = detail::parse_shape(object["shape"]);
     if (object.has("shapes")) scene.shapes = detail::parse_shapes(object["shapes"], origin);
     const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
-    scene.structure = detail::parse_structure(object["structure"], origin, needs_size);
+    if (object.has("structures") && object.has("structure")) {
+        object["structures"].fail("there is a \"structure\" as well; put it into the list, or leave one of the two out");
+    }
+    if (object.has("structures")) {
+        scene.structure = detail::parse_structures(object["structures"], origin, needs_size);
+    } else {
+        scene.structure = detail::parse_structure(object["structure"], origin, needs_size);
+    }
+    if (object.has("scatter")) scene.scatter = detail::parse_scatter(object["scatter"]);
     detail::check_shapes(scene, detail::JsonPlace{object.place()});  // materials refer to the first block's base
     read_materials(object, scene);
     if (object.has("base_motion")) scene.base_motion = detail::parse_base_motion(object["base_motion"], origin);

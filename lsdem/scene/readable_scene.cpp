@@ -98,17 +98,22 @@ ordered_json shorten_factor(double factor) {
     return factor;
 }
 
+void shorten_tiling(ordered_json& structure) {
+    if (!structure.contains("tiling") || structure["tiling"].contains("file")) return;
+    for (const std::string& name : tiling_preset_names()) {
+        const TilingSettings preset = find_tiling_preset(name);
+        const ordered_json text{
+            {"cells_across", preset.cells_across}, {"inner_radius", preset.inner_radius}, {"outer_radius", preset.outer_radius}};
+        if (structure["tiling"] == text) structure["tiling"] = name;
+        if (structure["tiling"].is_string()) return;
+    }
+}
+
 /// Names that say the same in fewer letters: the tiling by its preset, factors as quotients, a record by its place beside the scene.
 void shorten_names(ordered_json& root, const std::optional<fs::path>& folder) {
-    ordered_json& structure = root.at("structure");
-    if (structure.contains("tiling") && !structure["tiling"].contains("file")) {
-        for (const std::string& name : tiling_preset_names()) {
-            const TilingSettings preset = find_tiling_preset(name);
-            const ordered_json text{
-                {"cells_across", preset.cells_across}, {"inner_radius", preset.inner_radius}, {"outer_radius", preset.outer_radius}};
-            if (structure["tiling"] == text) structure["tiling"] = name;
-            if (structure["tiling"].is_string()) break;
-        }
+    if (root.contains("structure")) shorten_tiling(root["structure"]);
+    if (root.contains("structures")) {
+        for (ordered_json& structure : root["structures"]) shorten_tiling(structure);
     }
     if (!root.contains("base_motion") || !root["base_motion"].is_object() || !root["base_motion"].contains("record")) return;
     ordered_json& motion = root["base_motion"];

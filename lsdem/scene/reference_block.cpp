@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/named_shape.hpp"
 
 namespace musim::lsdem {
@@ -69,8 +70,11 @@ class ListBases {
 Triple<scaling::Length> find_block_size(const Scene& scene, const BlockEntry& block) { return ListBases(scene).find_block(block); }
 
 Triple<scaling::Length> reference_block(const Scene& scene) {
-    if (const auto* list = std::get_if<BlockList>(&scene.structure))
-        return list->blocks.empty() ? Triple<scaling::Length>{} : find_block_size(scene, list->blocks.front());
+    if (is_listed(scene)) {
+        const Scene listed = as_listed(scene);
+        const auto& list = std::get<BlockList>(listed.structure);
+        return list.blocks.empty() ? Triple<scaling::Length>{} : find_block_size(listed, list.blocks.front());
+    }
     if (const auto* column = std::get_if<Column>(&scene.structure)) return column->block;
     if (const auto* wall = std::get_if<Wall>(&scene.structure)) return wall->block;
     return std::get<Tower>(scene.structure).block;
@@ -78,17 +82,22 @@ Triple<scaling::Length> reference_block(const Scene& scene) {
 
 bool has_several_bases(const Scene& scene) {
     constexpr double kSameBase = 1e-9;  // sizes written in another way
-    const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list == nullptr || list->blocks.empty()) return false;
-    ListBases bases(scene);
+    if (!is_listed(scene)) return false;
+    const Scene listed = as_listed(scene);
+    const auto* list = &std::get<BlockList>(listed.structure);
+    if (list->blocks.empty()) return false;
+    ListBases bases(listed);
     const double area = bases.find_area(list->blocks.front()).value();
     return std::any_of(list->blocks.begin(), list->blocks.end(),
                        [&](const BlockEntry& block) { return !(std::abs(bases.find_area(block).value() - area) <= kSameBase * area); });
 }
 
 scaling::Area reference_area(const Scene& scene) {
-    const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list != nullptr && !list->blocks.empty()) return ListBases(scene).find_area(list->blocks.front());
+    if (is_listed(scene)) {
+        const Scene listed = as_listed(scene);
+        const auto& list = std::get<BlockList>(listed.structure);
+        if (!list.blocks.empty()) return ListBases(listed).find_area(list.blocks.front());
+    }
     const Triple<scaling::Length> block = reference_block(scene);
     return block[0] * block[1];
 }

@@ -61,6 +61,12 @@ class Scaler {
     void scale_part(CompoundForm& compound) const {
         for (CompoundPart& part : compound.parts) scale_part(part);
     }
+    void scale_part(Assembly& assembly) const {
+        for (PlacedStructure& placed : assembly.structures) {
+            std::visit([&](auto& structure) { scale_part(structure); }, placed.structure);
+            scale_part(placed);
+        }
+    }
     void scale(SceneMotion& motion) const {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
         motion.factors.time *= similitude_.time();
@@ -84,6 +90,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     std::visit([&](auto& shape) { scaler.scale_part(shape); }, scaled.shape);
     for (auto& [name, shape] : scaled.shapes) scaler.scale_part(shape);
     std::visit([&](auto& structure) { scaler.scale_part(structure); }, scaled.structure);
+    if (scaled.scatter) scaler.scale_part(*scaled.scatter);
     scaler.scale(scaled.base_motion);
     for (MotionEntry& entry : scaled.motions) {
         scaler.scale(entry.base_motion);

@@ -52,6 +52,7 @@ struct BlockEntry {
     Triple<scaling::Velocity> velocity{};                  ///< of the centre of mass, world frame
     Triple<scaling::Frequency> angular_velocity{};         ///< world frame [rad/s]
     bool fixed = false;                                    ///< held in place
+    bool with_base = false;                                ///< held to the base: it moves as the base does, and not otherwise
     bool rotation_locked = false;                          ///< translates only
     std::string material;                                  ///< key of Scene::materials; empty: Scene::material
     std::optional<scaling::Density> density;               ///< default: that of the material
@@ -87,6 +88,7 @@ struct Tower {
     std::optional<std::filesystem::path> tiling_file;  ///< absolute path of a list of dominoes
     scaling::Length height_deviation{};                ///< standard deviation σ_H of the block heights, see block_heights.hpp
     std::uint64_t seed = 1;                            ///< of the heights
+    std::string shape;                                 ///< key of Scene::shapes, drawn about the middle of the block; empty: boxes
 
     bool operator==(const Tower&) const = default;
 };
@@ -103,7 +105,56 @@ struct Wall {
     bool operator==(const Wall&) const = default;
 };
 
-using Structure = std::variant<BlockList, Column, Tower, Wall>;
+/// Named shapes one on top of the other, from the base up: each stands where the one below it ends, its frame upright on the z axis.
+struct ShapeColumn {
+    std::vector<std::string> blocks;  ///< keys of Scene::shapes
+
+    bool operator==(const ShapeColumn&) const = default;
+};
+
+/// A circular arch of equal voussoirs with radial joints in the x-z plane, the middle of its springing line in the origin.
+struct Arch {
+    scaling::Length radius{};     ///< of the line midway between intrados and extrados
+    scaling::Length thickness{};  ///< along the radius
+    scaling::Length depth{};      ///< along y
+    scaling::Ratio embrace{};     ///< angle between the springings [rad]
+    int voussoirs = 7;
+    bool abutments = true;  ///< does a block that moves with the base carry each springing?
+
+    bool operator==(const Arch&) const = default;
+};
+
+/// A structure by itself.
+using OneStructure = std::variant<BlockList, Column, Tower, Wall, ShapeColumn, Arch>;
+
+/// A structure among others, in its place.
+struct PlacedStructure {
+    std::string name;  ///< before the names of its blocks; empty: its number
+    OneStructure structure;
+    Triple<scaling::Length> place{};  ///< of its origin
+    scaling::Ratio turn{};            ///< about z, before it is moved there [rad]
+
+    bool operator==(const PlacedStructure&) const = default;
+};
+
+/// Several structures in one scene.
+struct Assembly {
+    std::vector<PlacedStructure> structures;
+
+    bool operator==(const Assembly&) const = default;
+};
+
+using Structure = std::variant<BlockList, Column, Tower, Wall, ShapeColumn, Arch, Assembly>;
+
+/// Scatter of what was built against what was drawn, of any structure; each seed draws another specimen.
+struct Scatter {
+    scaling::Length size{};   ///< standard deviation of the edges of blocks
+    scaling::Length place{};  ///< of the places of blocks, across
+    double friction = 0.0;    ///< of the friction of a block's joints, part of it [-]
+    std::uint64_t seed = 1;
+
+    bool operator==(const Scatter&) const = default;
+};
 
 /// Pitch of the cells when a scene gives none: that of the prototype tower for its block,  p = w·1.435/2.82  [Harmon23].
 scaling::Length default_pitch(const Triple<scaling::Length>& block);
@@ -282,6 +333,7 @@ struct Scene {
     ShapeSettings shape;
     std::map<std::string, ShapeEntry> shapes;  ///< for entries of a BlockList that name one
     Structure structure;
+    std::optional<Scatter> scatter;  ///< default: none
     SceneMotion base_motion;
     std::vector<MotionEntry> motions;  ///< instead of base_motion: one after another, see motions.hpp
     GroundSettings ground;

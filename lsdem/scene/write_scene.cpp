@@ -4,6 +4,7 @@
 
 #include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/detail/overloaded.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -37,22 +38,24 @@ class SceneWriter {
         ordered_json motions = ordered_json::array();
         for (const MotionEntry& entry : scene.motions) motions.push_back(to_json(entry));
 
-        ordered_json root{{"schema", "musim-scene/1"},
-                          {"name", scene.name},
-                          {"gravity", write(scene.gravity)},
-                          {"material", write_part(scene.material)},
-                          {"materials", materials},
-                          {"shape", to_json(scene.shape, scene.has_contact_nodes())},
-                          {"shapes", to_json(scene.shapes)},
-                          {"structure", to_json(scene.structure, with_size)},
-                          {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
-                          {"ground", write_part(scene.ground)},
-                          {"contact",
-                           {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
-                            {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
-                          {"time", to_json(scene.time, !scene.motions.empty())},
-                          {"output", write_part(scene.output)}};
+        ordered_json root{
+            {"schema", "musim-scene/1"},
+            {"name", scene.name},
+            {"gravity", write(scene.gravity)},
+            {"material", write_part(scene.material)},
+            {"materials", materials},
+            {"shape", to_json(scene.shape, scene.has_contact_nodes())},
+            {"shapes", to_json(scene.shapes)},
+            {std::holds_alternative<Assembly>(scene.structure) ? "structures" : "structure", to_json(scene.structure, with_size)},
+            {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
+            {"ground", write_part(scene.ground)},
+            {"contact",
+             {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
+              {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
+            {"time", to_json(scene.time, !scene.motions.empty())},
+            {"output", write_part(scene.output)}};
         if (scene.shapes.empty()) root.erase("shapes");
+        if (scene.scatter) root["scatter"] = write_part(*scene.scatter);
         if (scene.preparation && scene.preparation->none) {
             root["preparation"] = "none";
         } else if (scene.preparation) {
@@ -71,6 +74,8 @@ class SceneWriter {
     template <class Value>
     ordered_json write(const Value& value) const {
         if constexpr (scaling::QuantityWithUnit<Value>) {
+            if (std::is_same_v<Value, scaling::Ratio> && style_ == QuantityStyle::text)
+                return fmt::format("{:.{}g} deg", value.value() * scaling::kDegrees, kDigits);
             if (style_ == QuantityStyle::text) return scaling::format_quantity(value, kDigits);
             return value.value();
         } else {
@@ -183,17 +188,40 @@ class SceneWriter {
         return object;
     }
 
-    ordered_json to_json(const Structure& structure, bool with_size) const {
-        const ordered_json kind{{"kind", detail::kStructureKinds.at(structure.index())}};
-        ordered_json object = std::visit([&](const auto& settings) { return write_part(settings, kind); }, structure);
-        if (const auto* list = std::get_if<BlockList>(&structure)) {
+    /// Adds what a structure has besides its fields.
+    template <class Kind>
+    void put_more_of(ordered_json& object, const Kind& structure, bool with_size) const {
+        if constexpr (std::is_same_v<Kind, BlockList>) {
             object["blocks"] = ordered_json::array();
-            for (const BlockEntry& block : list->blocks) object["blocks"].push_back(to_json(block, with_size));
+            for (const BlockEntry& block : structure.blocks) object["blocks"].push_back(to_json(block, with_size));
         }
-        if (const auto* tower = std::get_if<Tower>(&structure); tower != nullptr && tower->tiling_file) {
-            object["tiling"]["file"] = tower->tiling_file->string();
+        if constexpr (std::is_same_v<Kind, Tower>) {
+            if (structure.tiling_file) object["tiling"]["file"] = structure.tiling_file->string();
+            if (!structure.shape.empty()) object["shape"] = structure.shape;
         }
+    }
+
+    /// Of one structure, by its place among the kinds.
+    template <class Kind>
+    ordered_json to_json(const Kind& structure, std::size_t kind, bool with_size) const {
+        ordered_json object = write_part(structure, ordered_json{{"kind", detail::kStructureKinds.at(kind)}});
+        put_more_of(object, structure, with_size);
         return object;
+    }
+
+    ordered_json to_json(const PlacedStructure& placed, bool with_size) const {
+        ordered_json object =
+            std::visit([&](const auto& structure) { return to_json(structure, placed.structure.index(), with_size); }, placed.structure);
+        if (!placed.name.empty()) object["name"] = placed.name;
+        return write_part(placed, object);
+    }
+
+    ordered_json to_json(const Structure& structure, bool with_size) const {
+        const auto* assembly = std::get_if<Assembly>(&structure);
+        if (assembly == nullptr) return std::visit([&](const auto& one) { return to_json(one, structure.index(), with_size); }, structure);
+        ordered_json list = ordered_json::array();
+        for (const PlacedStructure& placed : assembly->structures) list.push_back(to_json(placed, with_size));
+        return list;
     }
 
     ordered_json to_json(const RecordMotion& motion) const {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
+#include "lsdem/scene/detail/each_structure.hpp"
 #include "lsdem/scene/detail/require.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/nearest_name.hpp"
 
 namespace musim::lsdem::detail {
@@ -142,41 +145,133 @@ void require_rotation(const std::array<double, 4>& quaternion, const JsonPlace& 
     }
 }
 
+namespace {
+
+/// Checks the names of shapes in a structure, and what must hold before its blocks are listed.
+class NameCheck {
+  public:
+    NameCheck(const Scene& scene, const ShapeCheck& shapes) : scene_(scene), shapes_(shapes) {}
+
+    void check(const BlockList& list, const JsonPlace& place) const {
+        for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+            const BlockEntry& block = list.blocks[k];
+            if (block.shape.empty()) continue;
+            const JsonPlace here = place.at("blocks").at(k);
+            shapes_.require_known(block.shape, here.at("shape"));
+            if (block.density && scene_.shapes.at(block.shape).mass) {
+                fail(here.at("density"),
+                     fmt::format("the shape \"{}\" has a mass, whatever the density; leave one of the two out", block.shape));
+            }
+        }
+    }
+    void check(const ShapeColumn& column, const JsonPlace& place) const {
+        if (column.blocks.empty()) fail(place.at("blocks"), "no block (nothing to simulate); name a shape");
+        for (std::size_t k = 0; k < column.blocks.size(); ++k) require_flat(column.blocks[k], place.at("blocks").at(k));
+    }
+    void check(const Tower& tower, const JsonPlace& place) const {
+        if (!tower.shape.empty()) require_flat(tower.shape, place.at("shape"));
+    }
+    void check(const Arch& arch, const JsonPlace& place) const {
+        require_fields(arch, place);
+        constexpr double kTurn = 2.0 * std::numbers::pi, kLeast = 1e-3;
+        const double embrace = arch.embrace.value(), part = embrace / arch.voussoirs;
+        if (!(embrace < kTurn)) {
+            fail(place.at("embrace"),
+                 fmt::format("{:.6g} deg (an arch has two springings, so it embraces less than 360 deg); correct the angle",
+                             embrace * scaling::kDegrees));
+        }
+        if (!(part < std::numbers::pi && part >= kLeast)) {
+            fail(place.at("voussoirs"),
+                 fmt::format("{} (a voussoir embraces {:.3g} deg, and must from {:.3g} to below 180 deg); correct the number",
+                             arch.voussoirs, part * scaling::kDegrees, kLeast * scaling::kDegrees));
+        }
+        if (!(arch.thickness < 2.0 * arch.radius)) {
+            fail(place.at("thickness"),
+                 fmt::format("{} (the radius is that of the middle of the thickness, and must be more than half of it: "
+                             "{}); correct one of the two",
+                             describe(arch.thickness), describe(arch.radius)));
+        }
+    }
+    void check(const Column& /*column*/, const JsonPlace& /*place*/) const {}
+    void check(const Wall& /*wall*/, const JsonPlace& /*place*/) const {}
+
+  private:
+    void require_flat(const std::string& name, const JsonPlace& place) const {
+        shapes_.require_known(name, place);
+        if (scene_.shapes.at(name).is_sphere()) fail(place, fmt::format("\"{}\" is a sphere (nothing stands on it); use another", name));
+    }
+
+    const Scene& scene_;
+    const ShapeCheck& shapes_;
+};
+
+/// Checks that all blocks of a scene meet in one way.
+class KindCheck {
+  public:
+    explicit KindCheck(const Scene& scene) : scene_(scene) {}
+
+    void see(const BlockList& list, const JsonPlace& place) {
+        for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+            const ShapeEntry* shape = scene_.find_shape(list.blocks[k]);
+            const JsonPlace here = place.at("blocks").at(k);
+            see_block(scene_.is_sphere(list.blocks[k]), shape != nullptr ? here.at("shape") : here);
+            if (shape != nullptr) see_shape(list.blocks[k].shape, here.at("shape"));
+        }
+    }
+    void see(const ShapeColumn& column, const JsonPlace& place) {
+        for (std::size_t k = 0; k < column.blocks.size(); ++k) {
+            see_block(false, place.at("blocks").at(k));
+            see_shape(column.blocks[k], place.at("blocks").at(k));
+        }
+    }
+    void see(const Arch& /*arch*/, const JsonPlace& place) {
+        see_block(false, place);
+        require_faces("voussoir", place);
+    }
+    /// A column, a tower or a wall.
+    template <class Layered>
+    void see(const Layered& layered, const JsonPlace& place) {
+        if constexpr (requires { layered.shape; }) {
+            if (!layered.shape.empty()) return see_block(false, place), see_shape(layered.shape, place.at("shape"));
+        }
+        see_block(std::holds_alternative<SphereShape>(scene_.shape), place);
+    }
+
+  private:
+    void see_block(bool is_sphere, const JsonPlace& place) {
+        if (!has_spheres_) has_spheres_ = is_sphere;
+        if (is_sphere == *has_spheres_) return;
+        fail(place,
+             "spheres and bodies of flat faces in one scene (spheres meet by surface nodes, flat faces by their overlap); use one of "
+             "the two");
+    }
+    void see_shape(const std::string& name, const JsonPlace& place) const {
+        const ShapeEntry& shape = scene_.shapes.at(name);
+        if (!shape.is_sphere() && !shape.is_box()) require_faces(name, place);
+    }
+    void require_faces(const std::string& name, const JsonPlace& place) const {
+        if (scene_.face_contact == FaceContact::overlap && !std::holds_alternative<GridShape>(scene_.shape)) return;
+        fail(place, fmt::format("\"{}\" has no surface nodes (only boxes and spheres have); leave \"faces\": \"nodes\" and \"level_set\": "
+                                "\"grid\" out",
+                                name));
+    }
+
+    const Scene& scene_;
+    std::optional<bool> has_spheres_;  ///< is the first block one?
+};
+
+}  // namespace
+
 void check_shapes(const Scene& scene, const JsonPlace& root) {
     const ShapeCheck shapes(scene, root.at("shapes"));
     for (const auto& [name, shape] : scene.shapes) shapes.check(name, shape);
-    const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list == nullptr) return;
-    const JsonPlace place = root.at("structure").at("blocks");
-    for (std::size_t k = 0; k < list->blocks.size(); ++k) {
-        const BlockEntry& block = list->blocks[k];
-        if (block.shape.empty()) continue;
-        shapes.require_known(block.shape, place.at(k).at("shape"));
-        if (block.density && scene.shapes.at(block.shape).mass) {
-            fail(place.at(k).at("density"),
-                 fmt::format("the shape \"{}\" has a mass, whatever the density; leave one of the two out", block.shape));
-        }
-    }
+    const NameCheck names(scene, shapes);
+    for_each_structure(scene, root, [&](const auto& structure, const JsonPlace& place) { names.check(structure, place); });
 }
 
 void check_kinds(const Scene& scene, const JsonPlace& root) {
-    const auto* list = std::get_if<BlockList>(&scene.structure);
-    if (list == nullptr) return;
-    const JsonPlace place = root.at("structure").at("blocks");
-    for (std::size_t k = 0; k < list->blocks.size(); ++k) {
-        const ShapeEntry* shape = scene.find_shape(list->blocks[k]);
-        const JsonPlace here = shape != nullptr ? place.at(k).at("shape") : place.at(k);
-        if (scene.is_sphere(list->blocks[k]) != scene.is_sphere(list->blocks.front())) {
-            fail(here,
-                 "spheres and bodies of flat faces in one scene (spheres meet by surface nodes, flat faces by their overlap); use one of "
-                 "the two");
-        }
-        if (shape == nullptr || shape->is_sphere() || shape->is_box()) continue;
-        if (scene.face_contact == FaceContact::overlap && std::holds_alternative<BoxShape>(scene.shape)) continue;
-        fail(here, fmt::format("\"{}\" has no surface nodes (only boxes and spheres have); leave \"faces\": \"nodes\" and \"level_set\": "
-                               "\"grid\" out",
-                               list->blocks[k].shape));
-    }
+    KindCheck kinds(scene);
+    for_each_structure(scene, root, [&](const auto& structure, const JsonPlace& place) { kinds.see(structure, place); });
 }
 
 }  // namespace musim::lsdem::detail

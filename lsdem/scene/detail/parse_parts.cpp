@@ -222,16 +222,46 @@ ShapeSettings parse_shape(const JsonReader& value) {
     return shape;
 }
 
-Structure parse_structure(const JsonReader& value, const std::filesystem::path& origin, bool needs_size) {
-    const std::size_t kind = read_kind(value, "kind", {kStructureKinds.begin(), kStructureKinds.end()});
-    const JsonReader object = to_object(value, kStructureKinds[kind]);
-    auto structure = make_alternative<Structure>(kind);
+PlacedStructure parse_placed_structure(const JsonReader& value, const std::filesystem::path& origin, bool needs_size) {
+    // a column of shapes is of the kind "column" as well
+    std::size_t kind = read_kind(value, "kind", {"blocks", "column", "tower", "wall", "arch"});
+    if (kind == 4) kind = 5;
+    if (kind == 1 && value.json().contains("blocks")) kind = 4;
+    const JsonReader object = to_object(value, kStructureKeys[kind]);
+    PlacedStructure placed;
+    auto& structure = placed.structure = make_alternative<OneStructure>(kind);
     if (auto* list = std::get_if<BlockList>(&structure)) *list = parse_block_list(object, needs_size);
     std::visit([&](auto& settings) { read_fields(object, settings); }, structure);
-    if (auto* tower = std::get_if<Tower>(&structure); tower != nullptr && object.has("tiling") && object["tiling"].json().is_object()) {
-        if (object["tiling"].has("file")) tower->tiling_file = resolve(object["tiling"].get<std::string>("file"), origin);
+    if (auto* tower = std::get_if<Tower>(&structure)) {
+        object.read("shape", tower->shape);
+        const bool has_file = object.has("tiling") && object["tiling"].json().is_object() && object["tiling"].has("file");
+        if (has_file) tower->tiling_file = resolve(object["tiling"].get<std::string>("file"), origin);
     }
-    return structure;
+    object.read("name", placed.name);
+    read_fields(object, placed);
+    return placed;
+}
+
+Structure parse_structure(const JsonReader& value, const std::filesystem::path& origin, bool needs_size) {
+    PlacedStructure placed = parse_placed_structure(value, origin, needs_size);
+    const Json& json = value.json();
+    if (json.contains("name") || json.contains("place") || json.contains("turn")) return Assembly{{std::move(placed)}};
+    return std::visit([](auto& structure) -> Structure { return std::move(structure); }, placed.structure);
+}
+
+Assembly parse_structures(const JsonReader& list, const std::filesystem::path& origin, bool needs_size) {
+    if (!list.json().is_array() || list.json().empty()) {
+        list.fail("a list [ ... ] of structures is wanted; write at least one, or \"structure\" instead");
+    }
+    Assembly assembly;
+    for (const JsonReader& value : list.entries()) assembly.structures.push_back(parse_placed_structure(value, origin, needs_size));
+    return assembly;
+}
+
+Scatter parse_scatter(const JsonReader& value) {
+    Scatter scatter;
+    read_fields(to_object(value, "scatter"), scatter);
+    return scatter;
 }
 
 SceneMotion parse_base_motion(const JsonReader& value, const std::filesystem::path& origin) {

@@ -69,6 +69,10 @@ void read_value(const JsonReader& json, std::vector<std::array<scaling::Length, 
     }
 }
 
+void read_value(const JsonReader& json, std::vector<std::string>& names) {
+    for (const JsonReader& name : read_list(json, "names")) names.push_back(name.text());
+}
+
 void read_value(const JsonReader& json, std::vector<Triple<scaling::Length>>& points) {
     for (const JsonReader& point : read_list(json, "points")) points.push_back(point.as<Triple<scaling::Length>>());
 }

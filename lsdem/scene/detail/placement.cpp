@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
@@ -60,45 +61,46 @@ class ListPlacer {
         block.orientation = Quaternion(w, x, y, z).normalized();
         block.velocity = to_vector(entry.velocity);
         block.angular_velocity = to_vector(entry.angular_velocity);
-        block.fixed = entry.fixed;
+        block.fixed = entry.fixed || entry.with_base;
+        block.with_base = entry.with_base;
         block.rotation_locked = entry.rotation_locked;
         block.material = entry.material;
         if (entry.density) block.density = entry.density->value();
         block.name = entry.name;
-        take_shape(entry, block);
-        block.whole_size = block.size;
-        return block;
-    }
-
-  private:
-    void take_shape(const BlockEntry& entry, Placement& block) {
         const ShapeEntry* named = scene_.find_shape(entry);
         if (scene_.is_sphere(entry)) {
             const auto& sphere = named != nullptr ? std::get<SphereShape>(named->form) : std::get<SphereShape>(scene_.shape);
             block.size.setConstant(2.0 * sphere.radius.value());
             block.shape = entry.shape;
-            return;
-        }
-        if (named == nullptr) {
+        } else if (named != nullptr) {
+            take_shape(entry.shape, block);
+        } else {
             block.size = to_vector(entry.size);
+        }
+        block.whole_size = block.size;
+        return block;
+    }
+
+    /// Gives a block, which is where the frame of its shape is, a shape of flat faces.
+    void take_shape(const std::string& name, Placement& block) {
+        const ShapeEntry& named = scene_.shapes.at(name);
+        if (named.mass) block.mass = named.mass->value();
+        if (named.is_box()) {
+            block.size = to_vector(find_box_size(named));
+            const auto& [w, x, y, z] = named.quaternion;
+            if (named.quaternion != ShapeEntry{}.quaternion) block.orientation *= Quaternion(w, x, y, z).normalized();
             return;
         }
-        if (named->mass) block.mass = named->mass->value();
-        if (named->is_box()) {
-            block.size = to_vector(find_box_size(*named));
-            const auto& [w, x, y, z] = named->quaternion;
-            if (named->quaternion != ShapeEntry{}.quaternion) block.orientation *= Quaternion(w, x, y, z).normalized();
-            return;
-        }
-        const std::shared_ptr<const Shape>& solid = find_or_make(entry.shape);
+        const std::shared_ptr<const Shape>& solid = find_or_make(name);
         const Placing body = solid->own.inverse();
         block.position += block.orientation * body.position;
         if (body.rotation != Matrix3::Identity()) block.orientation = (block.orientation * Quaternion(body.rotation)).normalized();
         block.size = 2.0 * solid->half_extents;
-        block.shape = entry.shape;
+        block.shape = name;
         block.solid = solid;
     }
 
+  private:
     const std::shared_ptr<const Shape>& find_or_make(const std::string& name) {
         std::shared_ptr<const Shape>& solid = solids_[name];
         if (!solid) solid = std::make_shared<const Shape>(make_named_shape(scene_, name));
@@ -109,9 +111,11 @@ class ListPlacer {
     std::map<std::string, std::shared_ptr<const Shape>> solids_;
 };
 
-Arrangement arrange(const BlockList& list, const Scene& scene) {
+/// Places a list of blocks, with its spine.
+Arrangement arrange_list(const Scene& scene) {
     Arrangement arrangement;
     ListPlacer placer(scene);
+    const auto& list = std::get<BlockList>(scene.structure);
     for (const BlockEntry& entry : list.blocks) arrangement.blocks.push_back(placer.place_entry(entry));
     std::vector<Vector3> position, extent;
     for (const Placement& block : arrangement.blocks) {
@@ -129,7 +133,7 @@ Arrangement arrange(const BlockList& list, const Scene& scene) {
     return arrangement;
 }
 
-Arrangement arrange(const Column& column, const Scene& /*scene*/) {
+Arrangement arrange(const Column& column) {
     Arrangement arrangement;
     const Vector3 size = to_vector(column.block);
     for (int layer = 1; layer <= column.layers; ++layer) {
@@ -172,7 +176,7 @@ std::size_t find_nearest_domino(const TowerTiling& tiling, const std::array<int,
     });
 }
 
-Arrangement arrange(const Tower& tower, const Scene& /*scene*/) {
+Arrangement arrange(const Tower& tower) {
     const TowerTiling odd = tower.tiling_file ? read_tiling(*tower.tiling_file) : make_tower_tiling(tower.tiling);
     const TowerTiling even = rotate_quarter_turn(odd);
     const std::size_t spine = find_spine_domino(odd);
@@ -198,7 +202,7 @@ Arrangement arrange(const Tower& tower, const Scene& /*scene*/) {
     return arrangement;
 }
 
-Arrangement arrange(const Wall& wall, const Scene& /*scene*/) {
+Arrangement arrange(const Wall& wall) {
     const Vector3 size = to_vector(wall.block);
     const double pitch = wall.pitch.value_or(default_pitch(wall.block)).value();
     // a half block fills one cell of the pitch and leaves the same joint as whole ones
@@ -264,9 +268,27 @@ std::vector<int> find_levels(const std::vector<Vector3>& position, const std::ve
     return levels;
 }
 
-Arrangement arrange(const Scene& scene) {
-    Arrangement arrangement = std::visit([&](const auto& structure) { return arrange(structure, scene); }, scene.structure);
+Arrangement arrange_boxes(const Scene& scene) {
+    Arrangement arrangement;
+    std::visit(
+        [&](const auto& structure) {
+            if constexpr (requires { structure.height_deviation; }) arrangement = arrange(structure);
+        },
+        scene.structure);
     if (const auto variation = find_height_variation(scene)) vary_heights(*variation, arrangement.blocks);
+    return arrangement;
+}
+
+Arrangement arrange(const Scene& scene) {
+    if (is_listed(scene)) return arrange_list(as_listed(scene));
+    Arrangement arrangement = arrange_boxes(scene);
+    const auto* tower = std::get_if<Tower>(&scene.structure);
+    if (tower == nullptr || tower->shape.empty()) return arrangement;
+    ListPlacer placer(scene);
+    for (Placement& block : arrangement.blocks) {
+        placer.take_shape(tower->shape, block);
+        block.whole_size = block.size;
+    }
     return arrangement;
 }
 

@@ -25,6 +25,7 @@ struct Placement {
     Vector3 velocity = Vector3::Zero();
     Vector3 angular_velocity = Vector3::Zero();
     bool fixed = false;
+    bool with_base = false;  ///< of a fixed one
     bool rotation_locked = false;
     std::string material;           ///< key of Scene::materials; empty: Scene::material
     std::optional<double> density;  ///< default: that of the material [kg/m³]
@@ -43,6 +44,9 @@ struct Arrangement {
     std::vector<Placement> blocks;
     Spine spine;
 };
+
+/// Places the boxes of a column, a tower or a wall, of their own heights; of a tower of a named shape what these would be.
+Arrangement arrange_boxes(const Scene& scene);
 
 /// Places the blocks of a scene's structure. Throws SceneError when the tower's ring cannot be tiled or its tiling cannot be read.
 Arrangement arrange(const Scene& scene);

@@ -116,6 +116,7 @@ inline constexpr auto kFields<BlockEntry> = std::tuple{
     Field{"velocity", &BlockEntry::velocity, Range::finite},
     Field{"angular_velocity", &BlockEntry::angular_velocity, Range::finite},
     Field{"fixed", &BlockEntry::fixed},
+    Field{"with_base", &BlockEntry::with_base},
     Field{"rotation_locked", &BlockEntry::rotation_locked},
     Field{"density", &BlockEntry::density, Range::positive},
 };
@@ -150,6 +151,30 @@ inline constexpr auto kFields<Wall> = std::tuple{
     Field{"pitch", &Wall::pitch, Range::positive},
     Field{"height_deviation", &Wall::height_deviation, Range::not_negative},
     Field{"seed", &Wall::seed},
+};
+template <>
+inline constexpr auto kFields<ShapeColumn> = std::tuple{Field{"blocks", &ShapeColumn::blocks, Range::any, kRequired}};
+template <>
+inline constexpr auto kFields<Arch> = std::tuple{
+    Field{"radius", &Arch::radius, Range::positive, kRequired},
+    Field{"thickness", &Arch::thickness, Range::positive, kRequired},
+    Field{"depth", &Arch::depth, Range::positive, kRequired},
+    Field{"embrace", &Arch::embrace, Range::positive, kRequired},
+    Field{"voussoirs", &Arch::voussoirs, Range::one_or_more, kRequired},
+    Field{"abutments", &Arch::abutments},
+};
+/// Behind those of the structure.
+template <>
+inline constexpr auto kFields<PlacedStructure> = std::tuple{
+    Field{"place", &PlacedStructure::place, Range::finite},
+    Field{"turn", &PlacedStructure::turn, Range::finite},
+};
+template <>
+inline constexpr auto kFields<Scatter> = std::tuple{
+    Field{"size", &Scatter::size, Range::not_negative},
+    Field{"place", &Scatter::place, Range::not_negative},
+    Field{"friction", &Scatter::friction, Range::not_negative},
+    Field{"seed", &Scatter::seed},
 };
 /// Between the record with its components, and the files of its response and its scale.
 template <>
@@ -227,7 +252,9 @@ void for_each_field(Part& part, const Visit& visit) {
 }
 
 /// Names of variants in JSON, in their order.
-inline constexpr std::array kStructureKinds{"blocks", "column", "tower", "wall"};
+inline constexpr std::array kStructureKinds{"blocks", "column", "tower", "wall", "column", "arch"};
+/// Their keys, as the schema calls them.
+inline constexpr std::array kStructureKeys{"blocks", "column", "tower", "wall", "shape_column", "arch"};
 inline constexpr std::array kShapeKinds{"box", "prism", "cylinder", "polyhedron", "mesh", "compound", "sphere"};
 inline constexpr std::array kShapeAxes{"x", "y", "z"};
 inline constexpr std::array kSignalKinds{"step", "sine", "half_sine", "ricker", "synthetic"};

@@ -44,6 +44,10 @@ ShapeSettings parse_shape(const scaling::JsonReader& value);
 std::map<std::string, ShapeEntry> parse_shapes(const scaling::JsonReader& value, const std::filesystem::path& origin);
 /// "structure". `needs_size`: blocks that name no shape say their size, as all but spheres do.
 Structure parse_structure(const scaling::JsonReader& value, const std::filesystem::path& origin, bool needs_size);
+/// "structures", several.
+Assembly parse_structures(const scaling::JsonReader& list, const std::filesystem::path& origin, bool needs_size);
+/// "scatter".
+Scatter parse_scatter(const scaling::JsonReader& value);
 /// "base_motion".
 SceneMotion parse_base_motion(const scaling::JsonReader& value, const std::filesystem::path& origin);
 /// "motions", one after another.
@@ -67,6 +71,7 @@ void read_value(const scaling::JsonReader& json, std::vector<std::array<scaling:
 void read_value(const scaling::JsonReader& json, std::vector<Triple<scaling::Length>>& points);
 void read_value(const scaling::JsonReader& json, std::vector<std::vector<std::uint32_t>>& faces);
 void read_value(const scaling::JsonReader& json, std::array<Triple<scaling::Inertia>, 3>& tensor);
+void read_value(const scaling::JsonReader& json, std::vector<std::string>& names);
 template <class Value>
 void read_value(const scaling::JsonReader& json, std::optional<Value>& value) {
     read_value(json, value.emplace());
