@@ -32,8 +32,14 @@ Scene rename_files(Scene scene, const std::function<std::string(const fs::path&)
     };
     rename_record(scene.base_motion);
     for (auto& entry : scene.motions) rename_record(entry.base_motion);
-    if (auto* tower = std::get_if<Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
-        tower->tiling_file = name(*tower->tiling_file);
+    const auto rename_tiling = [&](auto& structure) {
+        if (auto* tower = std::get_if<Tower>(&structure); tower != nullptr && tower->tiling_file) {
+            tower->tiling_file = name(*tower->tiling_file);
+        }
+    };
+    rename_tiling(scene.structure);
+    if (auto* assembly = std::get_if<Assembly>(&scene.structure)) {
+        for (PlacedStructure& placed : assembly->structures) rename_tiling(placed.structure);
     }
     if (scene.preparation && scene.preparation->specimen) scene.preparation->specimen = name(*scene.preparation->specimen);
     return scene;

@@ -11,6 +11,7 @@
 #include "lsdem/run/drawn_places.hpp"
 #include "lsdem/run/equilibrium.hpp"
 #include "lsdem/run/specimen_file.hpp"
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
@@ -23,8 +24,6 @@ bool differ_in_height(const Specimen& specimen) {
     const std::vector<Block>& blocks = specimen.model.blocks;
     return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.height_offset != 0.0; });
 }
-
-bool is_listed(const Scene& scene) { return std::holds_alternative<BlockList>(scene.structure); }
 
 bool base_moves(const Scene& scene) { return !scene.motions.empty() || !std::holds_alternative<std::monostate>(scene.base_motion.source); }
 

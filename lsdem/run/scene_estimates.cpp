@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lsdem/contact_law.hpp"
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "lsdem/statics/overturning.hpp"
 #include "lsdem/statics/rigid_statics.hpp"
@@ -192,8 +193,9 @@ double find_least_friction(const Model& model, int levels) {
     return least;
 }
 
-std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const Specimen& upright,
+std::vector<SceneEstimate> estimate_scene(const Scene& given, double friction, const Specimen& upright,
                                           const std::vector<MotionSummary>& motions, const SceneStanding& standing) {
+    const Scene scene = as_listed(given);
     const auto gravity =
         scaling::Acceleration::from_value(std::hypot(scene.gravity[0].value(), scene.gravity[1].value(), scene.gravity[2].value()));
     const bool is_vertical = scene.gravity[0].value() == 0.0 && scene.gravity[1].value() == 0.0 && scene.gravity[2].value() < 0.0;

@@ -11,6 +11,7 @@
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/sequence_plan.hpp"
 #include "lsdem/run/specimen_file.hpp"
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/reference_block.hpp"
@@ -43,10 +44,14 @@ void count_blocks(const Scene& scene, SceneSummary& summary) {
     const Model& model = summary.specimen.model;
     summary.low.setConstant(std::numeric_limits<double>::infinity());
     summary.high = -summary.low;
-    const auto* list = std::get_if<BlockList>(&scene.structure);
+    const Scene listed = as_listed(scene);
+    const auto* list = std::get_if<BlockList>(&listed.structure);
+    const auto* tower = std::get_if<Tower>(&scene.structure);
+    const std::string of_all = tower == nullptr ? "" : tower->shape;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Block& block = model.blocks[b];
-        const std::string material = list == nullptr ? "" : list->blocks[b].material, shape = list == nullptr ? "" : list->blocks[b].shape;
+        const std::string material = list == nullptr ? "" : list->blocks[b].material,
+                          shape = list == nullptr ? of_all : list->blocks[b].shape;
         const Shape& own = model.shapes[block.shape];
         const Vector3 size = find_size(own);
         const BlockReach reach = find_block_reach(own.solid.get(), half_extents(model, block), block.orientation.toRotationMatrix());
@@ -150,7 +155,7 @@ void add_warnings(const Scene& scene, SceneSummary& summary) {
     summary.warnings = scene.text.remarks;
     const auto warn = [&](const std::string& what) { summary.warnings.push_back(scene.place() + ": " + what); };
     for (const std::string& cut : describe_cut_motions(scene)) warn(cut);
-    if (!std::holds_alternative<BlockList>(scene.structure) && summary.motions.front().axes.empty()) {
+    if (!is_listed(scene) && summary.motions.front().axes.empty()) {
         warn("the base rests; give a \"base_motion\" to shake the structure");
     }
     if (const std::string unrest = describe_unrest(scene, summary); !unrest.empty()) warn(unrest);

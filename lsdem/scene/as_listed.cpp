@@ -150,11 +150,11 @@ class Lister {
         if (!arch.abutments) return;
         const Length ground{}, in = std::sin(half) * inner, out = std::sin(half) * outer, top = middle + rise * inner,
                                crest = middle + rise * outer;
-        const std::string left = add_shape("left abutment", PrismForm{.outline = {{ground, -out}, {ground, -in}, {top, -in}, {crest, -out}},
+        const std::string left = add_shape("left abutment", PrismForm{.outline = {{ground, -out}, {crest, -out}, {top, -in}, {ground, -in}},
                                                                       .axis = ShapeAxis::y,
                                                                       .length = arch.depth,
                                                                       .taper = 1.0});
-        const std::string right = add_shape("right abutment", PrismForm{.outline = {{ground, in}, {ground, out}, {crest, out}, {top, in}},
+        const std::string right = add_shape("right abutment", PrismForm{.outline = {{ground, in}, {top, in}, {crest, out}, {ground, out}},
                                                                         .axis = ShapeAxis::y,
                                                                         .length = arch.depth,
                                                                         .taper = 1.0});

@@ -12,6 +12,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact_law.hpp"
+#include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "scaling/factor_rounding.hpp"
@@ -23,9 +24,9 @@ namespace {
 using scaling::Distortion;
 using scaling::ModelScales;
 
-/// The key of a block's material; empty: the scene's.
-std::string name_material(const Scene& scene, std::size_t block) {
-    const auto* list = std::get_if<BlockList>(&scene.structure);
+/// The key of a block's material in a scene as as_listed() gives it; empty: the scene's.
+std::string name_material(const Scene& listed, std::size_t block) {
+    const auto* list = std::get_if<BlockList>(&listed.structure);
     return list == nullptr ? std::string() : list->blocks[block].material;
 }
 
@@ -43,8 +44,9 @@ struct BlockKind {
 
 std::vector<BlockKind> find_kinds(const BuiltScene& prototype, const BuiltScene& model) {
     std::vector<BlockKind> kinds;
+    const Scene full = as_listed(prototype.scene), small = as_listed(model.scene);
     for (std::size_t b = 0; b < prototype.model.blocks.size(); ++b) {
-        const std::string from = name_material(prototype.scene, b), to = name_material(model.scene, b);
+        const std::string from = name_material(full, b), to = name_material(small, b);
         auto kind = std::find_if(kinds.begin(), kinds.end(),
                                  [&](const BlockKind& known) { return known.in_prototype == from && known.in_model == to; });
         if (kind == kinds.end()) kind = kinds.insert(kinds.end(), BlockKind{from, to, {}});
@@ -60,7 +62,7 @@ std::vector<double> find_slenderness(const BuiltScene& built, const std::vector<
         const auto is_it = [=](double known) { return std::abs(known / slenderness - 1.0) <= scaling::kFactorRounding; };
         if (std::none_of(all.begin(), all.end(), is_it)) all.push_back(slenderness);
     };
-    if (!std::holds_alternative<BlockList>(built.scene.structure)) {
+    if (!is_listed(built.scene)) {
         const auto block = reference_block(built.scene);
         return {block[0] / block[2], block[1] / block[2]};
     }
@@ -176,7 +178,7 @@ void add_ground(const BuiltScene& prototype, const BuiltScene& model, std::vecto
 }  // namespace
 
 const BlockMaterial& material_of_block(const Scene& scene, std::size_t block) {
-    const std::string name = name_material(scene, block);
+    const std::string name = name_material(as_listed(scene), block);
     return name.empty() ? scene.material : scene.materials.at(name);
 }
 
