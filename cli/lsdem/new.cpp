@@ -29,6 +29,7 @@ struct NewOptions {
     std::optional<Number> length;
     std::vector<std::string> block;
     RecordMotionOptions record;
+    std::string mesh, unit;
     std::string out;
     bool force = false;
 };
@@ -52,6 +53,19 @@ std::optional<lsdem::Triple<scaling::Length>> parse_block(const std::vector<std:
     return block;
 }
 
+/// The file of a mesh; its unit is read like that of any quantity.
+std::optional<lsdem::MeshForm> find_mesh(const NewOptions& options) {
+    if (options.wanted.kind != "mesh") {
+        if (!options.mesh.empty() || !options.unit.empty()) throw CLI::ValidationError("--mesh", "and --unit are for the kind mesh");
+        return std::nullopt;
+    }
+    if (options.mesh.empty() || options.unit.empty()) {
+        throw CLI::ValidationError("--mesh", "and --unit are needed: musim new mesh --mesh boulder.stl --unit mm");
+    }
+    read_option("--unit", [&] { return scaling::parse_si_with_unit("1 " + options.unit, scaling::dimension_of<scaling::Length>()); });
+    return lsdem::MeshForm{.file = fs::absolute(options.mesh).lexically_normal(), .unit = options.unit, .part = {}};
+}
+
 /// Adds to the comments of a scene which commands go on from it.
 void name_commands(lsdem::ReadableText& text, bool has_record) {
     text.comments[""].emplace_back("musim check FILE says what this means and draws it; musim run FILE -o DIR runs it");
@@ -64,6 +78,7 @@ int run_new(const NewOptions& options) {
     refuse_overwriting({options.record.record, options.material}, {options.out});
     refuse_existing(options);
     lsdem::NewScene wanted = options.wanted;
+    wanted.mesh = find_mesh(options);
     wanted.material = lsdem::find_measured_material(options.material);
     lsdem::Scene scene = lsdem::make_new_scene(wanted);
     if (!options.record.record.empty()) {
@@ -90,7 +105,10 @@ int run_new(const NewOptions& options) {
 void add_new_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<NewOptions>();
     CLI::App* command = app.add_subcommand("new", "A scene to start from, with comments");
-    command->add_option("kind", options->wanted.kind, "tower, wall, column, or blocks: a portal listed block by block")
+    command
+        ->add_option(
+            "kind", options->wanted.kind,
+            "tower, wall, column, blocks: a portal listed block by block, arch, drums: a column of them, or mesh: a block of a file")
         ->required()
         ->type_name("KIND")
         ->check(one_of(lsdem::new_scene_kinds()));
@@ -110,8 +128,12 @@ void add_new_command(CLI::App& app, Action& action) {
                      "at the model's length, of a material file its own); stiffnesses are fitted to them")
         ->type_name("LENGTH")
         ->expected(3);
-    add_whole_option(*command, "--layers", options->wanted.layers,
-                     "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most)", {1, 1000});
+    add_whole_option(
+        *command, "--layers", options->wanted.layers,
+        "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most), voussoirs of an arch (7), drums (4)",
+        {1, 1000});
+    command->add_option("--mesh", options->mesh, "Of mesh: the file of the block, an STL, OBJ or PLY")->type_name("FILE");
+    command->add_option("--unit", options->unit, "Of mesh: unit of the file's coordinates, such as mm")->type_name("UNIT");
     options->record.add_to(*command,
                            "Shake with the strong motion of this record of a prototype, scaled by the mu law, instead of a made one");
     command->add_flag("--force", options->force, "Replace the file of --out");
@@ -121,6 +143,8 @@ void add_new_command(CLI::App& app, Action& action) {
         "  musim new column --layers 4 --record station.v1 --component y=360 -o column.json\n"
         "  musim new wall --material concrete --length 1/25\n"
         "  musim new wall --material granite --block \"0.2 m\" \"0.6 m\" \"0.3 m\"\n"
+        "  musim new arch --material granite --block \"0.15 m\" \"0.3 m\" \"0.4 m\" --layers 7 -o arch.json\n"
+        "  musim new mesh --mesh boulder.stl --unit mm --material granite -o boulder.json\n"
         "  musim new tower --block \"30 mm\" \"60 mm\" \"90 mm\" --record station.v1 -o tower.json\n"
         "The scene is complete: `musim check` says what it means, `musim run` runs it. Change it in any editor; its comments say how.");
     command->callback([&action, options] {

@@ -88,15 +88,17 @@ Specimen make_upright_specimen(const Scene& scene) {
             .drawn = std::move(drawn)};
 }
 
-bool wants_preparation(const Scene& scene, const Specimen& upright) {
-    if (scene.preparation) return !scene.preparation->none;
-    return !is_listed(scene) || differ_in_height(upright);
-}
-
 bool starts_at_rest(const Specimen& specimen) {
     const std::vector<Block>& blocks = specimen.model.blocks;
     return std::all_of(blocks.begin(), blocks.end(),
                        [](const Block& block) { return block.velocity.isZero(0.0) && block.angular_velocity.isZero(0.0); });
+}
+
+bool wants_preparation(const Scene& scene, const Specimen& upright) {
+    if (scene.preparation) return !scene.preparation->none;
+    // single blocks begin as they are listed, and what is given a velocity is not to rest
+    if (std::holds_alternative<BlockList>(scene.structure)) return differ_in_height(upright);
+    return starts_at_rest(upright);
 }
 
 bool seeks_equilibrium(const Scene& scene, const Specimen& upright) {

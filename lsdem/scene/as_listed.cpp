@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lsdem/scene/detail/placement.hpp"
+#include "lsdem/scene/detail/turn_about.hpp"
 #include "lsdem/scene/named_shape.hpp"
 
 namespace musim::lsdem {
@@ -17,20 +18,9 @@ namespace {
 
 using scaling::Length;
 using Turn = std::array<double, 4>;
+using detail::turn_about;
 
 constexpr std::array kAbutments{"abutment 1", "abutment 2"};
-
-/// A rotation by an angle about an axis, (w, x, y, z) of any length; exact for quarter turns.
-Turn turn_about(std::size_t axis, double angle) {
-    constexpr double kExact = 1e-15;
-    double w = std::cos(0.5 * angle), v = std::sin(0.5 * angle);
-    if (std::abs(w) < kExact) w = 0.0, v = 1.0;
-    if (std::abs(v) < kExact) w = 1.0, v = 0.0;
-    if (std::abs(std::abs(w) - std::abs(v)) < kExact) w = 1.0, v = std::copysign(1.0, v) * std::copysign(1.0, std::cos(0.5 * angle));
-    Turn turn{w, 0.0, 0.0, 0.0};
-    turn[axis + 1] = v;
-    return turn;
-}
 
 /// Product: first b, then a.
 Turn after(const Turn& a, const Turn& b) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "records/synthesis/synthetic.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/nearest_name.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -76,7 +78,43 @@ BlockList make_portal(const Triple<Length>& block, int layers) {
     return list;
 }
 
-Structure make_structure(const NewScene& wanted, const Triple<Length>& block) {
+/// An arch of voussoirs of thickness b, depth w and length H.
+Arch make_arch(const Triple<Length>& block, int voussoirs) {
+    constexpr double kEmbrace = 157.5;  // [deg]
+    Arch arch;
+    arch.thickness = block[0];
+    arch.depth = block[1];
+    arch.embrace = kEmbrace * scaling::kDegree;
+    arch.voussoirs = voussoirs;
+    arch.radius = rounded(static_cast<double>(voussoirs) * block[2] / (kEmbrace * scaling::kDegree), 4);
+    return arch;
+}
+
+/// A column of drums of diameter w and height H between a plinth and a capital.
+ShapeColumn make_drums(const Triple<Length>& block, int drums, std::map<std::string, ShapeEntry>& shapes) {
+    constexpr double kOver = 1.2;  // width of plinth and capital over that of the drums
+    const Length width = rounded(kOver * block[1], 4);
+    shapes["plinth"].form = shapes["capital"].form = BoxForm{{width, width, rounded(0.5 * block[0], 4)}};
+    shapes["drum"].form = CylinderForm{.radius = rounded(0.5 * block[1], 4), .height = block[2], .flats = 24, .top_radius = {}};
+    ShapeColumn column{{"plinth"}};
+    column.blocks.insert(column.blocks.end(), static_cast<std::size_t>(drums), "drum");
+    column.blocks.emplace_back("capital");
+    return column;
+}
+
+/// The block of a file, on the ground.
+ShapeColumn make_stone(const NewScene& wanted, std::map<std::string, ShapeEntry>& shapes) {
+    if (!wanted.mesh)
+        throw SceneError("mesh: no file is named (the scene is one of a block that a file has); name an STL, OBJ or PLY and its unit");
+    shapes["stone"].form = MeshForm{.file = wanted.mesh->file, .unit = wanted.mesh->unit, .part = {}};
+    return {{"stone"}};
+}
+
+Structure make_structure(const NewScene& wanted, const Triple<Length>& block, std::map<std::string, ShapeEntry>& shapes) {
+    if (wanted.kind == "arch") return make_arch(block, wanted.layers.value_or(7));
+    if (wanted.kind == "drums") return make_drums(block, wanted.layers.value_or(4), shapes);
+    if (wanted.kind == "mesh") return make_stone(wanted, shapes);
+
     if (wanted.kind == "tower") {
         Tower tower;
         tower.layers = wanted.layers.value_or(8);
@@ -128,6 +166,13 @@ double find_length(const NewScene& wanted) {
     return find_preset(wanted.material)->length_scale.value_or(1.0);
 }
 
+std::string describe_kind(const NewScene& wanted) {
+    const std::string& material = wanted.material.name;
+    if (wanted.kind == "drums") return fmt::format("column of {} drums", material);
+    if (wanted.kind == "mesh") return fmt::format("{} of {}", wanted.mesh->file.stem().string(), material);
+    return fmt::format("{} of {} blocks", wanted.kind == "blocks" ? "portal" : wanted.kind, material);
+}
+
 std::string describe_scale(double length) {
     if (length == 1.0) return "prototype scale";
     return length < 1.0 ? fmt::format("1:{:.6g}", 1.0 / length) : fmt::format("{:.6g}:1", length);
@@ -160,6 +205,13 @@ std::vector<std::string> comment_structure(const std::string& kind) {
                 heights};
     }
     if (kind == "wall") return {block + "; w runs along x, the wall's length", heights};
+    if (kind == "arch") {
+        return {"radius: of the middle of the thickness; embrace: angle between the springings",
+                "abutments: a block under each springing that moves with the base; false: the arch stands on the ground, or on what you "
+                "place under it"};
+    }
+    if (kind == "drums") return {"blocks: shapes from the lowest up; two columns and a lintel: musim's examples have them"};
+    if (kind == "mesh") return {"blocks: shapes from the lowest up; the stone stands on the lowest point of its file"};
     if (kind == "column") return {block + "; b runs along x, w along y", heights};
     return {"size: edges b, w, H along the block's own axes; position: its middle, z = 0 is the ground; quaternion (w, x, y, z) turns it",
             "blocks that stand on each other just touch: no gap, no overlap"};
@@ -179,7 +231,7 @@ std::vector<std::string> comment_motion(const Scene& scene) {
 }  // namespace
 
 const std::vector<std::string>& new_scene_kinds() {
-    static const std::vector<std::string> kKinds{"tower", "wall", "column", "blocks"};
+    static const std::vector<std::string> kKinds{"tower", "wall", "column", "blocks", "arch", "drums", "mesh"};
     return kKinds;
 }
 
@@ -192,10 +244,9 @@ Scene make_new_scene(const NewScene& wanted) {
     const scaling::Similitude similitude = make_similitude(find_scale(wanted));
     const Triple<Length> block = find_block(wanted).value_or(make_block(similitude.length()));
     Scene scene;
-    scene.structure = make_structure(wanted, block);
-    scene.name = fmt::format("{} of {} blocks, {}", wanted.kind == "blocks" ? "portal" : wanted.kind, wanted.material.name,
-                             describe_scale(similitude.length()));
-    scene.material = make_material(wanted, block);
+    scene.structure = make_structure(wanted, block, scene.shapes);
+    scene.name = describe_kind(wanted) + ", " + describe_scale(similitude.length());
+    scene.material = make_material(wanted, scene.shapes.empty() && wanted.kind != "arch" ? block : reference_block(scene));
     scene.base_motion.source = make_motion(similitude);
     scene.time.duration = rounded(similitude.to_model(kRunDuration * scaling::si::seconds), 3);
     if (wanted.kind == "wall") scene.time.safety = kWallSafety;

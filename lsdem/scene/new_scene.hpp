@@ -11,7 +11,7 @@
 /// Scenes to start from, at the scale of a model, with comments.
 namespace musim::lsdem {
 
-/// "tower", "wall", "column", "blocks": the structures of a scene.
+/// "tower", "wall", "column", "blocks", "arch", "drums", "mesh": structures that a scene may start from.
 const std::vector<std::string>& new_scene_kinds();
 
 /// Wishes for a new scene.
@@ -23,7 +23,9 @@ struct NewScene {
     std::optional<double> length = {};
     std::optional<Triple<scaling::Length>> block = {};  ///< thin, wide edge and height; default: the prototype's at the
                                                         ///< length, of a material that is no preset its own unless a length is given
-    std::optional<int> layers = {};                     ///< default: tower 8, wall 6, column 6, blocks (of each pillar) 2
+    std::optional<int> layers = {};                     ///< default: tower 8, wall 6, column 6, blocks (of each pillar) 2; of an arch its
+                                                        ///< voussoirs, 7, of a column of drums these, 4
+    std::optional<MeshForm> mesh = {};                  ///< file of "mesh", and its unit
 };
 
 /// The mu law between the papers' prototype, of concrete with μ = 0.59 [Harmon23], and the model.

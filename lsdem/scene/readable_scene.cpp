@@ -115,13 +115,17 @@ void shorten_names(ordered_json& root, const std::optional<fs::path>& folder) {
     if (root.contains("structures")) {
         for (ordered_json& structure : root["structures"]) shorten_tiling(structure);
     }
+    const auto shorten_file = [&](ordered_json& object, const char* file) {
+        if (!folder || !object.contains(file)) return;
+        const fs::path near = fs::path(object[file].get<std::string>()).lexically_relative(fs::absolute(*folder).lexically_normal());
+        if (!near.empty() && *near.begin() != "..") object[file] = near.string();
+    };
+    if (root.contains("shapes")) {
+        for (ordered_json& shape : root["shapes"]) shorten_file(shape, "file");
+    }
     if (!root.contains("base_motion") || !root["base_motion"].is_object() || !root["base_motion"].contains("record")) return;
     ordered_json& motion = root["base_motion"];
-    for (const char* file : {"record", "station_xml"}) {
-        if (!folder || !motion.contains(file)) continue;
-        const fs::path near = fs::path(motion[file].get<std::string>()).lexically_relative(fs::absolute(*folder).lexically_normal());
-        if (!near.empty() && *near.begin() != "..") motion[file] = near.string();
-    }
+    for (const char* file : {"record", "station_xml"}) shorten_file(motion, file);
     if (!motion.contains("scale")) return;
     for (const char* factor : {"length", "friction"}) {
         if (motion["scale"].contains(factor)) motion["scale"][factor] = shorten_factor(motion["scale"][factor].get<double>());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lsdem/scene/detail/block_table.hpp"
 #include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_key.hpp"
@@ -63,11 +64,25 @@ BlockEntry parse_block(const JsonReader& value, bool needs_size) {
     return block;
 }
 
-BlockList parse_block_list(const JsonReader& object, bool needs_size) {
-    const JsonReader entries = object["blocks"];
-    if (!entries.json().is_array()) entries.fail("a list [ ... ] of blocks is wanted; correct the value");
+/// Blocks of the list, then those of the table.
+BlockList parse_block_list(const JsonReader& object, const std::filesystem::path& origin, bool needs_size) {
     BlockList list;
-    for (const JsonReader& entry : entries.entries()) list.blocks.push_back(parse_block(entry, needs_size));
+    const bool has_table = object.has("file");
+    if (object.has("blocks") || !has_table) {
+        const JsonReader entries = object["blocks"];
+        if (!entries.json().is_array()) entries.fail("a list [ ... ] of blocks is wanted; correct the value");
+        for (const JsonReader& entry : entries.entries()) list.blocks.push_back(parse_block(entry, needs_size));
+    }
+    if (!has_table) {
+        if (object.has("unit")) object["unit"].fail("it is that of a \"file\", and there is none; leave it out");
+        return list;
+    }
+    const std::filesystem::path file = resolve(object.get<std::string>("file"), origin);
+    const SceneRules rules;
+    for (const BlockRow& row : read_block_table(file, object.find<std::string>("unit"))) {
+        const JsonReader entry(row.entry, rules, fmt::format("{}:{}: /", file.string(), row.line));
+        list.blocks.push_back(parse_block(entry, needs_size));
+    }
     return list;
 }
 
@@ -230,7 +245,7 @@ PlacedStructure parse_placed_structure(const JsonReader& value, const std::files
     const JsonReader object = to_object(value, kStructureKeys[kind]);
     PlacedStructure placed;
     auto& structure = placed.structure = make_alternative<OneStructure>(kind);
-    if (auto* list = std::get_if<BlockList>(&structure)) *list = parse_block_list(object, needs_size);
+    if (auto* list = std::get_if<BlockList>(&structure)) *list = parse_block_list(object, origin, needs_size);
     std::visit([&](auto& settings) { read_fields(object, settings); }, structure);
     if (auto* tower = std::get_if<Tower>(&structure)) {
         object.read("shape", tower->shape);
