@@ -6,33 +6,8 @@
 
 namespace musim::lsdem::detail {
 
-void PolygonCutter::clip(const Affine& inside, bool with_border, Polygon& polygon) {
-    const std::size_t before = polygon.size();
-    at_.resize(before);
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (std::size_t i = 0; i < before; ++i) {
-        at_[i] = inside(polygon[i]);
-        least = std::min(least, at_[i]);
-        most = std::max(most, at_[i]);
-    }
-    const auto holds = [&](double value) { return with_border ? value >= 0.0 : value > 0.0; };
-    if (holds(least)) return;
-    if (!holds(most)) return polygon.clear();
-    std::swap(from_, polygon);
-    polygon.clear();
-    for (std::size_t i = 0; i < before; ++i) {
-        const std::size_t next = i + 1 == before ? 0 : i + 1;
-        if (holds(at_[i])) polygon.push_back(from_[i]);
-        if (holds(at_[i]) == holds(at_[next])) continue;
-        polygon.push_back(from_[i] + at_[i] / (at_[i] - at_[next]) * (from_[next] - from_[i]));
-    }
-}
-
 namespace {
 
-/// Up to so many planes are looked at one by one; of more, those that are far below all of the polygon are left out at one point. Affects
-/// speed only.
-constexpr std::size_t kFewPlanes = 8;
 /// Part of a polygon's radius by which it is taken to be larger, far above rounding [-].
 constexpr double kRadiusMargin = 1e-9;
 
@@ -42,49 +17,39 @@ struct Sphere {
     double radius = 0.0;
 
     explicit Sphere(const Polygon& polygon) {
-        for (const Vector3& x : polygon) middle += x;
+        for (std::size_t i = 0; i < polygon.size(); ++i) middle += polygon[i];
         middle /= static_cast<double>(polygon.size());
-        for (const Vector3& x : polygon) radius = std::max(radius, (x - middle).squaredNorm());
+        for (std::size_t i = 0; i < polygon.size(); ++i) radius = std::max(radius, (polygon[i] - middle).squaredNorm());
         radius = (1.0 + kRadiusMargin) * std::sqrt(radius);
     }
 };
 
+/// Is an affine function, of value `middle` in the middle of a sphere, above zero all over it? Says no of planes that are nearly parallel,
+/// where rounding would decide over all of a polygon at once.
+bool is_above(const Vector3& slope, double middle, double radius) {
+    constexpr double kNearlyParallel = 1e-6;
+    const double steepness = slope.squaredNorm();
+    return steepness > kNearlyParallel && middle > 0.0 && middle * middle > steepness * (radius * radius);
+}
+
 }  // namespace
 
 void DepthCells::find_candidates(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, Level& room) {
-    const std::size_t count = piece.whole_size(whole);
     room.candidates.clear();
     room.least.clear();
     double bound = std::numeric_limits<double>::infinity();
-    std::size_t lowest = 0;
-    const auto look_at = [&](std::uint32_t k) {
-        const Plane plane = piece.nearest_plane(k);
+    for (std::size_t i = 0; i < piece.whole_size(whole); ++i) {
+        const std::uint32_t k = piece.member(whole, i);
+        const Affine depth = depth_below(piece.nearest_plane(k));
         double most = 0.0, least = std::numeric_limits<double>::infinity();
-        for (const Vector3& x : polygon) {
-            const double d = plane.depth(x);
+        for (std::size_t c = 0; c < polygon.size(); ++c) {
+            const double d = depth(polygon[c]);
             least = std::min(least, d);
             most = std::max(most, d);
         }
-        if (most < bound) bound = most, lowest = room.candidates.size();
+        bound = std::min(bound, most);
         room.candidates.push_back(k);
         room.least.push_back(least);
-    };
-    if (count <= kFewPlanes) {
-        for (std::size_t i = 0; i < count; ++i) look_at(piece.member(whole, i));
-    } else {
-        const Sphere sphere(polygon);
-        double nearest = std::numeric_limits<double>::infinity();
-        room.depth.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            room.depth[i] = piece.nearest_plane(piece.member(whole, i)).depth(sphere.middle);
-            nearest = std::min(nearest, room.depth[i]);
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            if (room.depth[i] <= nearest + 2.0 * sphere.radius) look_at(piece.member(whole, i));
-        }
-        // the one that is least deep cuts most away, and so comes first
-        std::swap(room.candidates[0], room.candidates[lowest]);
-        std::swap(room.least[0], room.least[lowest]);
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < room.candidates.size(); ++i) {
@@ -94,24 +59,64 @@ void DepthCells::find_candidates(const Polygon& polygon, const PlacedPiece& piec
 }
 
 void DepthCells::cut_cell(const Polygon& polygon, const PlacedPiece& piece, std::uint32_t k, Level& room) {
-    Polygon& cell = room.cell;
-    cell = polygon;
     const Affine own = depth_below(piece.nearest_plane(k));
-    const auto cut_by = [&](std::uint32_t other) {
-        if (other != k && !cell.empty()) cutter_.clip(difference(depth_below(piece.nearest_plane(other)), own), other > k, cell);
+    room.cell.copy(polygon);
+    for (const std::uint32_t other : room.candidates) {
+        if (other == k) continue;
+        cutter_.clip(difference(depth_below(piece.nearest_plane(other)), own), other > k, room.cell);
+        if (room.cell.empty()) return;
+    }
+}
+
+void DepthCells::find_neighbours(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, Level& room) {
+    const Sphere sphere(polygon);
+    piece.nearest_rows.find_depths(sphere.middle, room.depth);
+    std::uint32_t nearest = piece.member(whole, 0);
+    for (std::size_t i = 1; i < piece.whole_size(whole); ++i) {
+        const std::uint32_t k = piece.member(whole, i);
+        if (room.depth[k] < room.depth[nearest]) nearest = k;
+    }
+    const double reach = room.depth[nearest] + 2.0 * sphere.radius;
+    const Affine own = depth_below(piece.nearest_plane(nearest));
+    room.candidates.clear();
+    room.rows.clear();
+    const auto add = [&](std::uint32_t k) {
+        room.candidates.push_back(k);
+        room.rows.push_back(piece.nearest_plane(k));
+        if (room.nearer.size() <= room.candidates.size()) room.nearer.resize(room.candidates.size() + 1);
     };
-    if (room.candidates.size() <= kFewPlanes) {
-        for (const std::uint32_t other : room.candidates) cut_by(other);
+    if (room.nearer.empty()) room.nearer.resize(1);
+    room.nearer[0].copy(polygon);
+    add(nearest);
+    for (std::size_t i = 0; i < piece.whole_size(whole); ++i) {
+        const std::uint32_t k = piece.member(whole, i);
+        if (k == nearest || room.depth[k] > reach) continue;
+        const Affine beyond = difference(depth_below(piece.nearest_plane(k)), own);
+        if (is_above(beyond.slope, room.depth[k] - room.depth[nearest], sphere.radius)) continue;
+        if (cutter_.find_rest(beyond, k > nearest, polygon, room.nearer[room.candidates.size()])) add(k);
+    }
+}
+
+void DepthCells::cut_nearer(const PlacedPiece& piece, std::size_t candidate, Level& room) {
+    const std::uint32_t k = room.candidates[candidate];
+    Polygon& cell = room.nearer[candidate];
+    const Affine own = depth_below(piece.nearest_plane(k));
+    const auto find_beyond = [&](std::size_t i) { return difference(depth_below(piece.nearest_plane(room.candidates[i])), own); };
+    if (candidate == 0) {
+        for (std::size_t i = 1; i < room.candidates.size() && !cell.empty(); ++i) {
+            cutter_.clip(find_beyond(i), room.candidates[i] > k, cell);
+        }
         return;
     }
-    // the first leaves little, far above which most others are
-    cut_by(room.candidates.front());
-    if (cell.empty()) return;
+    // little is left, far above which most others are
     const Sphere sphere(cell);
-    const double reach = own(sphere.middle) + 2.0 * sphere.radius;
-    for (const std::uint32_t other : room.candidates) {
-        if (other != room.candidates.front() && piece.nearest_plane(other).depth(sphere.middle) <= reach) cut_by(other);
-    }
+    room.rows.find_depths(sphere.middle, room.depth);
+    const double at = room.depth[candidate];
+    for_each_up_to(room.depth, room.candidates.size(), at + 2.0 * sphere.radius, [&](std::size_t i) {
+        if (i == 0 || i == candidate || cell.empty()) return;
+        const Affine beyond = find_beyond(i);
+        if (!is_above(beyond.slope, room.depth[i] - at, sphere.radius)) cutter_.clip(beyond, room.candidates[i] > k, cell);
+    });
 }
 
 }  // namespace musim::lsdem::detail

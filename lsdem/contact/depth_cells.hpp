@@ -6,33 +6,11 @@
 #include <vector>
 
 #include "lsdem/contact/placed_solid.hpp"
+#include "lsdem/contact/polygon.hpp"
 #include "lsdem/types.hpp"
 
 /// Convex polygons inside a solid, cut into cells over which one of its planes decides on the depth.
 namespace musim::lsdem::detail {
-
-/// An affine function: at + slope·x.
-struct Affine {
-    double at;
-    Vector3 slope;
-    double operator()(const Vector3& x) const { return at + slope.dot(x); }
-};
-inline Affine depth_below(const Plane& plane) { return {plane.offset, -plane.normal}; }
-inline Affine difference(const Affine& a, const Affine& b) { return {a.at - b.at, a.slope - b.slope}; }
-
-/// Corners of a convex polygon, in order [m].
-using Polygon = std::vector<Vector3>;
-
-/// Cuts polygons; keeps its memory.
-class PolygonCutter {
-  public:
-    /// Keeps what lies where `inside` is positive; the border counts as inside where `with_border` says so [SutherlandHodgman74].
-    void clip(const Affine& inside, bool with_border, Polygon& polygon);
-
-  private:
-    std::vector<double> at_;
-    Polygon from_;
-};
 
 /// Cuts polygons that lie inside a piece of a solid; keeps its memory.
 class DepthCells {
@@ -53,17 +31,30 @@ class DepthCells {
     void visit_nearest(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, std::size_t level, const Visit& visit) {
         if (levels_.size() <= level) levels_.resize(level + 1);
         Level& room = levels_[level];
-        find_candidates(polygon, piece, whole, room);
-        for (const std::uint32_t k : room.candidates) {
-            cut_cell(polygon, piece, k, room);
-            if (room.cell.size() >= 3) visit(k, room.cell);
+        if (piece.whole_size(whole) <= kFewPlanes) {
+            find_candidates(polygon, piece, whole, room);
+            for (const std::uint32_t k : room.candidates) {
+                cut_cell(polygon, piece, k, room);
+                if (room.cell.size() >= 3) visit(k, room.cell);
+            }
+        } else {
+            find_neighbours(polygon, piece, whole, room);
+            for (std::size_t i = 0; i < room.candidates.size(); ++i) {
+                cut_nearer(piece, i, room);
+                if (room.nearer[i].size() >= 3) visit(room.candidates[i], room.nearer[i]);
+            }
         }
     }
 
   private:
+    /// Of more planes, those that are far below all of a polygon are left out at one point. Affects speed only.
+    static constexpr std::size_t kFewPlanes = 8;
+
     struct Level {
         std::vector<std::uint32_t> candidates;
         std::vector<double> least, depth;
+        std::deque<Polygon> nearer;  ///< parts in which the candidates are nearer than the first of them; of that all
+        PlaneRows rows;              ///< of the candidates
         Polygon cell, deeper;
     };
     /// A plane of a whole.
@@ -73,9 +64,13 @@ class DepthCells {
     };
     /// Planes of a whole that may be the nearest somewhere, by bounds.
     static void find_candidates(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, Level& room);
-
-    /// The part of a polygon in which plane k is the nearest of the candidates.
+    /// The part of a polygon in which a candidate is the nearest of all.
     void cut_cell(const Polygon& polygon, const PlacedPiece& piece, std::uint32_t k, Level& room);
+
+    /// The same of many planes. First of the candidates is one that is near in the middle, and the others those that are nearer somewhere.
+    void find_neighbours(const Polygon& polygon, const PlacedPiece& piece, std::size_t whole, Level& room);
+    /// Leaves of Level::nearer the part in which its candidate is the nearest of all.
+    void cut_nearer(const PlacedPiece& piece, std::size_t candidate, Level& room);
 
     /// Visits the part of a cell, in which a plane is the nearest of its whole, in which no whole from `next` on is deeper.
     template <class Visit>
@@ -91,7 +86,7 @@ class DepthCells {
                 return;
             }
             Polygon& shallower = levels_[level].deeper;
-            shallower = part;
+            shallower.copy(part);
             cutter_.clip(difference(own, depth_below(piece.nearest_plane(m))), chosen.whole < next, shallower);
             if (shallower.size() >= 3) visit_deepest(piece, chosen, next + 1, level + 1, shallower, visit);
         });

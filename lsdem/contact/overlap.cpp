@@ -13,20 +13,21 @@ constexpr std::size_t kFewFaces = 8;
 
 void OverlapPieces::Sides::find(const PlacedPiece& corners, const PlacedPiece& planes) {
     words = corners.form->words_a_face();
-    outside.assign(words * planes.face_count, 0);
+    outside.resize(words * planes.face_count);
+    std::array<double, detail::Points::kWord> at;
     all_outside = false;
     for (std::size_t k = 0; k < planes.face_count && !all_outside; ++k) {
-        const Vector3 normal = planes.normal[k];
-        const double offset = planes.offset[k];
-        std::uint64_t* const bits = &outside[k * words];
-        std::size_t count = 0;
-        for (std::size_t c = 0; c < corners.corner_count; ++c) {
-            const std::uint64_t out = offset - normal.dot(corners.corner[c]) > 0.0 ? 0 : 1;
-            bits[c / 64] |= out << (c % 64);
-            count += out;
+        const detail::Affine depth = detail::depth_below({planes.normal[k], planes.offset[k]});
+        bool all = true;
+        for (std::size_t w = 0; w < words; ++w) {
+            const std::uint64_t marked =
+                detail::Points::low_bits(std::min(corners.corner_count - w * detail::Points::kWord, detail::Points::kWord));
+            const std::uint64_t out = ~corners.corner.evaluate(depth, w, false, at.data()) & marked;
+            outside[k * words + w] = out;
+            all = all && out == marked;
         }
         // a half space has more than the corners of its sheet
-        all_outside = count == corners.corner_count && corners.face_count > 1;
+        all_outside = all && corners.face_count > 1;
     }
 }
 
@@ -62,7 +63,10 @@ void OverlapPieces::add_pieces(const PlacedPiece& x, std::size_t f, const Placed
                            .body = body,
                            .nearest_normal = nearest.normal});
         most_vertices_ = std::max(most_vertices_, cell.size());
-        for (const Vector3& place : cell) vertices_.push_back({place, std::max(0.0, nearest.depth(place))});
+        for (std::size_t i = 0; i < cell.size(); ++i) {
+            const Vector3 place = cell[i];
+            vertices_.push_back({place, std::max(0.0, nearest.depth(place))});
+        }
     });
 }
 
@@ -90,12 +94,20 @@ void OverlapPieces::cut(const PlacedSolid& a, const PlacedSolid& b) {
     }
 }
 
+namespace {
+
+/// ∫ d² over a triangle of twice the area `twice`, of the depths at its corners.
+double integrate_square(double twice, double a, double b, double c) {
+    return twice / 12.0 * ((a * a + b * b) + (c * c + (a * b + (b * c + a * c))));
+}
+
+}  // namespace
+
 double integrate_square(std::size_t count, const Vector3& normal, const OverlapVertex* v) {
     double sum = 0.0;
     for (std::size_t i = 1; i + 1 < count; ++i) {
         const double twice = normal.dot((v[i].place - v[0].place).cross(v[i + 1].place - v[0].place));
-        const double a = v[0].depth, b = v[i].depth, c = v[i + 1].depth;
-        sum += twice / 12.0 * ((a * a + b * b) + (c * c + (a * b + (b * c + a * c))));
+        sum += integrate_square(twice, v[0].depth, v[i].depth, v[i + 1].depth);
     }
     return sum;
 }
@@ -107,17 +119,18 @@ OverlapLoad sum_load(const OverlapPieces& pieces) {
     OverlapLoad load;
     for (const OverlapPieces::Piece& piece : pieces) {
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-        double sum = 0.0;
+        double sum = 0.0, square = 0.0;
         Vector3 at = Vector3::Zero();
         for (std::size_t i = 0; i < piece.count; ++i) load.deepest = std::max(load.deepest, v[i].depth);
         for (std::size_t i = 1; i + 1 < piece.count; ++i) {
             const Vector3 one = v[i].place - v[0].place, two = v[i + 1].place - v[0].place;
             const double twice = piece.normal.dot(one.cross(two)), depth = (v[0].depth + v[i].depth) + v[i + 1].depth;
             area[piece.body] += 0.5 * twice;
+            square += integrate_square(twice, v[0].depth, v[i].depth, v[i + 1].depth);
             sum += twice / 6.0 * depth;
             at += twice / 24.0 * ((depth + v[i].depth) * one + (depth + v[i + 1].depth) * two);
         }
-        squares[piece.body] += piece.facing * integrate_square(piece.count, piece.normal, v);
+        squares[piece.body] += piece.facing * square;
         force[piece.body] += sum * piece.normal;
         moment[piece.body] += (at + sum * v[0].place).cross(piece.normal);
     }

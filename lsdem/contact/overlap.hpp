@@ -52,10 +52,14 @@ class OverlapPieces {
         void find(const PlacedPiece& corners, const PlacedPiece& planes);
         /// Share of the corners of a face that lie outside a plane.
         Share share(std::size_t plane, const Polyhedron& form, std::size_t face) const {
+            if (words == 1) return share_of(outside[plane] & form.marks[face], ~outside[plane] & form.marks[face]);
             const std::uint64_t* const out = &outside[plane * words];
             const std::uint64_t* const of = &form.marks[face * words];
             std::uint64_t any = 0, missing = 0;
             for (std::size_t w = 0; w < words; ++w) any |= out[w] & of[w], missing |= ~out[w] & of[w];
+            return share_of(any, missing);
+        }
+        static Share share_of(std::uint64_t any, std::uint64_t missing) {
             return missing == 0 ? Share::all : any != 0 ? Share::some : Share::none;
         }
     };

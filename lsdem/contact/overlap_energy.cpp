@@ -91,7 +91,7 @@ class CellBorders {
 
     double integrate(const Polygon& polygon, const Vector3& normal, const Affine& depth) {
         vertices_.clear();
-        for (const Vector3& place : polygon) vertices_.push_back({place, depth(place)});
+        for (std::size_t i = 0; i < polygon.size(); ++i) vertices_.push_back({polygon[i], depth(polygon[i])});
         return integrate_square(vertices_.size(), normal, vertices_.data());
     }
 
@@ -111,7 +111,8 @@ class CellBorders {
         normal.cwiseAbs().minCoeff(&least);
         const Vector3 e = normal.cross(Vector3::Unit(least)).normalized() * (2.0 * reach), f = normal.cross(e);
         Polygon& sheet = face_;
-        sheet.assign({middle - e - f, middle + e - f, middle + e + f, middle - e + f});
+        sheet.clear();
+        for (const Vector3& corner : {Vector3(-e - f), Vector3(e - f), Vector3(e + f), Vector3(f - e)}) sheet.push_back(middle + corner);
 
         cutter_.clip(own, false, sheet);
         for (std::size_t j = 0; j < x.face_count && !sheet.empty(); ++j) cutter_.clip({x.offset[j], -x.normal[j]}, false, sheet);

@@ -15,9 +15,14 @@ PlacedPiece& add_piece(const Polyhedron& form, PlacedSolid& placed) {
     piece.face_count = form.faces.size(), piece.corner_count = form.corners.size();
     // rooms grow and never shrink
     if (piece.normal.size() < piece.face_count) piece.normal.resize(piece.face_count), piece.offset.resize(piece.face_count);
-    if (piece.corner.size() < piece.corner_count) piece.corner.resize(piece.corner_count);
+    piece.corner.resize(piece.corner_count);
     piece.nearest.clear(), piece.members.clear(), piece.whole_ends.clear();
     return piece;
+}
+
+void fill_rows(PlacedPiece& piece) {
+    piece.nearest_rows.clear();
+    for (std::size_t k = 0; k < piece.nearest_count(); ++k) piece.nearest_rows.push_back(piece.nearest_plane(k));
 }
 
 /// Places the planes that decide on the depth in a piece among others.
@@ -57,14 +62,14 @@ void place(const Solid& solid, const Matrix3& rotation, const Vector3& position,
     placed.piece_count = 0;
     for (const Polyhedron& form : solid.pieces) {
         PlacedPiece& piece = add_piece(form, placed);
-        for (std::size_t c = 0; c < piece.corner_count; ++c) piece.corner[c] = rotation * form.corners[c] + position;
+        for (std::size_t c = 0; c < piece.corner_count; ++c) piece.corner.set(c, rotation * form.corners[c] + position);
         for (std::size_t f = 0; f < piece.face_count; ++f) {
             const Plane& plane = form.faces[f].plane;
             piece.normal[f] = rotation * plane.normal;
             piece.offset[f] = plane.offset + piece.normal[f].dot(position);
         }
-        if (solid.is_convex()) continue;
-        add_wholes(form, rotation, position, piece);
+        if (!solid.is_convex()) add_wholes(form, rotation, position, piece);
+        fill_rows(piece);
     }
 }
 
@@ -75,7 +80,7 @@ void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& posi
     for (std::size_t c = 0; c < 8; ++c) {
         const Vector3 level = (c & 4U) != 0 ? Vector3(position + ez) : Vector3(position - ez);
         const Vector3 row = (c & 2U) != 0 ? Vector3(level + ey) : Vector3(level - ey);
-        piece.corner[c] = (c & 1U) != 0 ? Vector3(row + ex) : Vector3(row - ex);
+        piece.corner.set(c, (c & 1U) != 0 ? Vector3(row + ex) : Vector3(row - ex));
     }
     for (std::size_t a = 0; a < 3; ++a) {
         const Vector3 axis = rotation.col(static_cast<Eigen::Index>(a));
@@ -83,6 +88,7 @@ void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& posi
         piece.normal[2 * a] = -axis, piece.offset[2 * a] = reach - along;
         piece.normal[2 * a + 1] = axis, piece.offset[2 * a + 1] = reach + along;
     }
+    fill_rows(piece);
 }
 
 void place_half_space(double height, double reach, PlacedSolid& placed) {
@@ -91,7 +97,8 @@ void place_half_space(double height, double reach, PlacedSolid& placed) {
     piece.normal[0] = Vector3::UnitZ();
     piece.offset[0] = height;
     const double half = 2.0 * reach;
-    for (std::size_t c = 0; c < 4; ++c) piece.corner[c] = {c == 0 || c == 3 ? -half : half, c < 2 ? -half : half, height};
+    for (std::size_t c = 0; c < 4; ++c) piece.corner.set(c, {c == 0 || c == 3 ? -half : half, c < 2 ? -half : half, height});
+    fill_rows(piece);
 }
 
 void PlacedPair::place(const detail::BoxMeeting& poses, const MeetingSolids& solids) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lsdem/body_pose.hpp"
+#include "lsdem/contact/polygon.hpp"
 #include "lsdem/solid/solid.hpp"
 #include "lsdem/types.hpp"
 
@@ -20,13 +21,14 @@ struct PlacedPiece {
     std::size_t face_count = 0, corner_count = 0;
     std::vector<Vector3> normal;  ///< of the faces, outward
     std::vector<double> offset;   ///< of their planes from the origin of the pair along the normal [m]
-    std::vector<Vector3> corner;  ///< [m]
+    detail::Points corner;
     const Polyhedron* form = nullptr;
     /// Planes that a point of the piece can be nearest to, each once, and which of them bound each whole, see Polyhedron::wholes: those of
     /// one whole behind those of another. Empty of a solid of one piece, where they are the planes of its faces.
     std::vector<Plane> nearest;
     std::vector<std::uint32_t> members;
     std::vector<std::size_t> whole_ends;  ///< into `members`
+    detail::PlaneRows nearest_rows;       ///< nearest_plane of all
 
     /// Depth of a point below the plane of face k; negative outside [m].
     double depth(std::size_t k, const Vector3& x) const { return offset[k] - normal[k].dot(x); }
