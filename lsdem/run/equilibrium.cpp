@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact/area_stiffness.hpp"
+#include "lsdem/solid/solid.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -30,6 +32,9 @@ constexpr std::size_t kMostSolves = 30;
 
 /// Newton's method ends where it gains no more: rounding of the positions is left.
 constexpr double kLeastGain = 0.5;
+
+/// Gaps from which the first stiffness of solids is taken where the least one finds nothing: those of what stands on corners or edges [-].
+constexpr std::array<double, 3> kWiderGaps{0x1p-15, 0x1p-11, 0x1p-8};
 
 /// Moves the points of a block at `arm` from its centre: a shift and a turn.
 Eigen::Matrix<double, 3, 6> motion_of_points(const Vector3& arm) {
@@ -131,13 +136,19 @@ class Stiffness {
     std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// The contacts between upper and lower faces that meet as drawn.
-std::vector<JointStiffness> find_first_joints(const Model& drawn, double time_step, int threads) {
-    Model taller = drawn;
-    for (Block& block : taller.blocks) {
-        if (meets_by_overlap(drawn, block)) block.height_offset += kEquilibriumGap * 2.0 * half_extents(drawn, block).z();
+/// The contacts between faces that meet as drawn, no farther apart than `gap` times a height: upper and lower ones of boxes, all of solids.
+std::vector<JointStiffness> find_first_joints(const Model& drawn, double gap, double time_step, int threads) {
+    Model larger = drawn;
+    for (Shape& shape : larger.shapes) {
+        if (!shape.solid) continue;
+        shape.solid = std::make_shared<const Solid>(stretched(*shape.solid, Vector3::Constant(1.0 + gap)));
+        shape.half_extents *= 1.0 + gap;
     }
-    return Simulation(std::move(taller), time_step, threads).joint_stiffness();
+    for (Block& block : larger.blocks) {
+        const bool is_box = meets_by_overlap(drawn, block) && drawn.shapes[block.shape].solid == nullptr;
+        if (is_box) block.height_offset += gap * 2.0 * half_extents(drawn, block).z();
+    }
+    return Simulation(std::move(larger), time_step, threads).joint_stiffness();
 }
 
 Vector6 motion_of(const Unknowns& unknowns, const Eigen::VectorXd& moved, std::size_t block) {
@@ -201,15 +212,11 @@ BearingPairs find_bearing_pairs(const std::vector<JointStiffness>& joints, const
     return pairs;
 }
 
-}  // namespace
-
-Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads) {
+/// Seeks equilibrium from where the blocks are drawn; `joints` give the first stiffness, `drawn` are the pairs that may bear.
+Equilibrium seek_from(std::vector<JointStiffness> joints, const BearingPairs& drawn, double time_step, int threads, Specimen& specimen) {
     Equilibrium equilibrium;
     const Unknowns unknowns(specimen.model);
-    if (unknowns.count == 0 || specimen.model.gravity.isZero(0.0)) return equilibrium;
     Model model = specimen.model;
-    std::vector<JointStiffness> joints = find_first_joints(model, time_step, threads);
-    const BearingPairs drawn = find_bearing_pairs(joints, model.gravity);
     Imbalance left(Simulation(model, time_step, threads), unknowns);
     const double residual_as_drawn = left.largest;
     equilibrium.residual = residual_as_drawn;
@@ -240,6 +247,25 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
         }
         specimen.model = model;
         is_found = true;  // what follows moves blocks by rounding
+    }
+    return equilibrium;
+}
+
+}  // namespace
+
+Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads) {
+    const Model& model = specimen.model;
+    const bool is_held = std::all_of(model.blocks.begin(), model.blocks.end(), [](const Block& block) { return block.fixed; });
+    if (is_held || model.gravity.isZero(0.0)) return {};
+    const std::vector<JointStiffness> meeting = find_first_joints(model, kEquilibriumGap, time_step, threads);
+    const BearingPairs drawn = find_bearing_pairs(meeting, model.gravity);
+    Equilibrium equilibrium = seek_from(meeting, drawn, time_step, threads, specimen);
+    // the stiffness of corners and edges grows with their depth
+    const bool has_solids =
+        std::any_of(model.shapes.begin(), model.shapes.end(), [](const Shape& shape) { return shape.solid != nullptr; });
+    for (const double gap : kWiderGaps) {
+        if (!has_solids || equilibrium.residual <= kInEquilibrium) break;
+        equilibrium = seek_from(find_first_joints(model, gap, time_step, threads), drawn, time_step, threads, specimen);
     }
     return equilibrium;
 }

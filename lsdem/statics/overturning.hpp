@@ -16,7 +16,8 @@ namespace musim::lsdem {
 ///
 /// of a column of N blocks b/(N H) [Housner63]. Above a joint are all blocks whose centre is; those that are joined there make one body,
 /// whose joints with what is below must all be level and at one height. Blocks of the body that part may do so sooner. Zero where a centre
-/// of mass is not above its joints; nothing where no part is so borne. `axis`: 0 x, 1 y. Blocks must be boxes, gravity downward.
+/// of mass is not above its joints; nothing where no part is so borne. `axis`: 0 x, 1 y. Blocks must be bounded by planes, gravity
+/// downward.
 std::optional<double> find_overturning(const Model& model, int axis);
 
 /// The same of blocks in layers, whatever their heights, as one body on those of the first. `layer`: of every block, from 1.

@@ -62,11 +62,11 @@ std::size_t find_facing(const PlacedPiece& solid, const Vector3& normal) {
     return facing;
 }
 
-/// Where the other solid lies over a face no farther than `gap`.
-Polygon find_covered(const PlacedPiece& of, std::size_t face, const PlacedPiece& other, double gap) {
+/// Where a face of the other solid lies over a face no farther than `gap`.
+Polygon find_covered(const PlacedPiece& of, std::size_t face, const PlacedPiece& other, std::size_t facing, double gap) {
     const Vector3& normal = of.normal[face];
     Polygon polygon;
-    for (const std::uint32_t c : other.loop(find_facing(other, normal))) polygon.push_back(other.corner[c]);
+    for (const std::uint32_t c : other.loop(facing)) polygon.push_back(other.corner[c]);
     const auto around = of.loop(face);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Vector3 &from = of.corner[around[i]], &to = of.corner[around[(i + 1) % around.size()]];
@@ -75,6 +75,41 @@ Polygon find_covered(const PlacedPiece& of, std::size_t face, const PlacedPiece&
     }
     if (!(find_width(polygon) > gap)) return {};
     return cut_off(polygon, normal, of.offset[face] + gap);
+}
+
+/// Corners of the convex hull of points as they are seen along a normal, counter-clockwise [Andrew79].
+Polygon find_outline(Polygon points, const Vector3& normal) {
+    const Vector3 u = normal.unitOrthogonal(), v = normal.cross(u);
+    std::sort(points.begin(), points.end(),
+              [&](const Vector3& l, const Vector3& r) { return std::pair(u.dot(l), v.dot(l)) < std::pair(u.dot(r), v.dot(r)); });
+    Polygon outline;
+    for (const bool lower : {true, false}) {
+        const std::size_t kept = outline.size();
+        for (const Vector3& point : points) {
+            while (outline.size() >= kept + 2) {
+                const Vector3 &before = outline[outline.size() - 2], &last = outline.back();
+                if ((last - before).cross(point - before).dot(normal) > 0.0) break;
+                outline.pop_back();
+            }
+            outline.push_back(point);
+        }
+        outline.pop_back();  // the next half begins with it
+        if (lower) std::reverse(points.begin(), points.end());
+    }
+    return outline;
+}
+
+/// Where another solid lies over a face no farther than `gap`: with the face that looks at it the most, or with several of a hull.
+Polygon find_covered(const PlacedPiece& of, std::size_t face, const PlacedPiece& other, bool is_box, double gap) {
+    const Vector3& normal = of.normal[face];
+    if (is_box || other.face_count == 1) return find_covered(of, face, other, find_facing(other, normal), gap);
+    Polygon all;
+    for (std::size_t k = 0; k < other.face_count; ++k) {
+        if (!other.is_outer(k) || !(other.normal[k].dot(normal) < 0.0)) continue;
+        const Polygon covered = find_covered(of, face, other, k, gap);
+        all.insert(all.end(), covered.begin(), covered.end());
+    }
+    return all.size() < 3 ? all : find_outline(std::move(all), normal);
 }
 
 using Edge = std::array<Vector3, 2>;
@@ -139,7 +174,8 @@ std::optional<Meeting> find_crossing(const PlacedPiece& a, const PlacedPiece& b,
     return std::nullopt;
 }
 
-std::optional<Meeting> find_meeting(const PlacedPiece& a, const PlacedPiece& b, const Vector3& apart, double gap) {
+std::optional<Meeting> find_meeting(const PlacedPiece& a, const PlacedPiece& b, const std::array<bool, 2>& is_box, const Vector3& apart,
+                                    double gap) {
     const std::array<const PlacedPiece*, 2> solid{&a, &b};
     // the plane with the most room between the solids, along a face of one
     double most = -std::numeric_limits<double>::infinity();
@@ -152,7 +188,7 @@ std::optional<Meeting> find_meeting(const PlacedPiece& a, const PlacedPiece& b, 
             if (room > most) most = room, of = s, face = k;
         }
     }
-    const Polygon covered = find_covered(*solid[of], face, *solid[1 - of], gap);
+    const Polygon covered = find_covered(*solid[of], face, *solid[1 - of], is_box[1 - of], gap);
     const Vector3& outward = solid[of]->normal[face];
     if (!covered.empty()) return Meeting{of == 0 ? outward : Vector3(-outward), covered};
     return b.face_count > 1 ? find_crossing(a, b, apart, gap) : std::nullopt;
@@ -217,11 +253,13 @@ class JointSearch {
         add(i, j, {.a = &poses_[i], .b = &poses_[j]}, std::min(gap_of(i), gap_of(j)), find_joint(model_, a.material, b.material).friction);
     }
     void add(std::size_t block, std::optional<std::size_t> other, const detail::BoxMeeting& boxes, double gap, double friction) {
-        const PlacedPair pair(boxes, {solid_of(block), other ? solid_of(*other) : nullptr});
+        const MeetingSolids solids{solid_of(block), other ? solid_of(*other) : nullptr};
+        const PlacedPair pair(boxes, solids);
+        const std::array<bool, 2> is_box{solids.a == nullptr, solids.b == nullptr};
         const Vector3 origin = boxes.a->position + boxes.origin * (boxes.b->position - boxes.a->position);
         for (const PlacedPiece& a : pair.a.pieces()) {
             for (const PlacedPiece& b : pair.b.pieces()) {
-                std::optional<Meeting> meeting = find_meeting(a, b, pair.apart, gap);
+                std::optional<Meeting> meeting = find_meeting(a, b, is_box, pair.apart, gap);
                 if (!meeting) {
                     leaves_out_edges_ = leaves_out_edges_ || (other && have_common_edge(a, b, gap));
                     continue;
@@ -242,7 +280,7 @@ class JointSearch {
 
 }  // namespace
 
-bool is_of_boxes(const Model& model) {
+bool is_of_flat_sides(const Model& model) {
     return std::all_of(model.blocks.begin(), model.blocks.end(), [&](const Block& block) { return model.shapes[block.shape].faceted; });
 }
 

@@ -26,10 +26,10 @@ struct RigidJoints {
 
 /// Joints of all blocks but those between two fixed ones. Faces meet where one lies over the other no farther than `gap` times the smaller
 /// height (along body z) of the two, of the ground that of the block; edges that cross, likewise. Where one reaches over the other by less
-/// than that, there is no joint. Blocks must be boxes (is_of_boxes).
+/// than that, there is no joint. Blocks must be bounded by planes (is_of_flat_sides).
 RigidJoints find_rigid_joints(const Model& model, double gap);
 
-/// Are all blocks boxes?
-bool is_of_boxes(const Model& model);
+/// Are all blocks bounded by planes?
+bool is_of_flat_sides(const Model& model);
 
 }  // namespace musim::lsdem

@@ -194,7 +194,7 @@ std::vector<BlockHelp> list_needs(const Balance& balance, const std::vector<Vect
 
 std::string find_objection(const Model& model, const std::vector<std::size_t>& loose) {
     if (!has_linear_programs()) return "musim was built without CLP";
-    if (!is_of_boxes(model)) return "there are blocks other than boxes";
+    if (!is_of_flat_sides(model)) return "there are round blocks";
     if (model.gravity.isZero(0.0)) return "there is no gravity";
     if (loose.empty()) return "all blocks are held in place";
     const auto [lightest, heaviest] = std::minmax_element(

@@ -44,14 +44,14 @@ struct RigidStatics {
     bool each_alone = false;  ///< the former
 };
 
-/// Asks whether forces exist in the joints (find_rigid_joints) of a structure of boxes that bear all loose blocks under gravity:
+/// Asks whether forces exist in the joints (find_rigid_joints) of a structure that bear all loose blocks under gravity:
 ///
 ///   N ≥ 0, |T| ≤ μ N at the corners of all joints,    Σ f + m g = 0,  Σ (x − c) × f = 0 of every block
 ///
 /// the static theorem [Drucker54] [GilbertMelbourne94], a linear program for T inside a polygon (kFrictionDirections); fixed blocks and the
 /// ground bear anything. Forces that exist show that the structure can stand, not that it does: friction is not associated. Forces count in
 /// weights of the block, moments in these times half its diagonal: an answer holds at every scale. The program's answer is inserted in the
-/// equations, which must hold to 1e-6. Not asked of shapes other than boxes, without gravity, of more than kMostRays
+/// equations, which must hold to 1e-6. Not asked of round blocks, without gravity, of more than kMostRays
 /// unknowns, or where musim was built without CLP. Blocks are taken where the model has them.
 RigidStatics ask_rigid_statics(const Model& model);
 

@@ -91,3 +91,37 @@ TEST_CASE("what does not stand on anything is left where it is") {
     CHECK(column.model.blocks[0].position == before);
     CHECK(column.model.preload.empty());
 }
+
+TEST_CASE("an arch and drums begin in equilibrium where they are drawn") {
+    const char* const shapes =
+        R"(, "shapes": {"drum": {"kind": "cylinder", "radius": "1 m", "height": "1 m"}, "key": {"kind": "box", "size": ["3 m", "3 m", "1 m"]}})";
+    const char* const arch =
+        R"({"kind": "arch", "radius": "5 m", "thickness": "0.8 m", "depth": "1 m", "embrace": "150 deg", "voussoirs": 11})";
+    const char* const column = R"({"kind": "column", "blocks": ["drum", "drum", "drum", "key"]})";
+    for (const char* structure : {arch, column}) {
+        Specimen specimen = make_upright_specimen(make_still(structure, shapes));
+        const double step = 0.8 * compute_critical_time_step(specimen.model);
+        CHECK(put_in_equilibrium(specimen, step).residual < 1e-7);
+        Simulation simulation(specimen.model, step, 1);
+        simulation.advance(200);
+        for (std::size_t b = 0; b < specimen.model.blocks.size(); ++b) {
+            CHECK(simulation.velocity(b).norm() < 1e-8 * std::sqrt(kGravity * 1.0));
+        }
+    }
+}
+
+TEST_CASE("a hull that is drawn on an edge, a ten-thousandth from flat, is put on its face") {
+    const char* const shapes =
+        R"(, "shapes": {"stone": {"kind": "polyhedron", "vertices": [["-1 m", "-1 m", "-0.5 m"], ["1 m", "-1 m", "-0.5 m"],
+        ["1 m", "1 m", "-0.5 m"], ["-1 m", "1 m", "-0.5 m"], ["-0.8 m", "-0.8 m", "0.5 m"], ["0.8 m", "-0.8 m", "0.5 m"],
+        ["0.8 m", "0.8 m", "0.5 m"], ["-0.8 m", "0.8 m", "0.5 m"]]}})";
+    const char* const flat = R"({"kind": "blocks", "blocks": [{"shape": "stone", "position": ["0 m", "0 m", "0.5 m"]}]})";
+    Specimen specimen = make_upright_specimen(make_still(flat, shapes));
+    Block& stone = specimen.model.blocks[0];
+    const Quaternion upright = stone.orientation, turn(Eigen::AngleAxisd(1e-4, Vector3::UnitY()));
+    const Vector3 edge{1.0, 0.0, 0.0};
+    stone.position = edge + turn * (stone.position - edge);
+    stone.orientation = turn * stone.orientation;
+    CHECK(put_in_equilibrium(specimen, 0.8 * compute_critical_time_step(specimen.model)).residual < kInEquilibrium);
+    CHECK(specimen.model.blocks[0].orientation.angularDistance(upright) < 1e-8);
+}
