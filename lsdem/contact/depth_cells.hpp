@@ -47,7 +47,7 @@ class DepthCells {
     }
 
   private:
-    /// Of more planes, those that are far below all of a polygon are left out at one point. Affects speed only.
+    /// Among more planes those that are far below all of a polygon are left out at one point. Affects speed only.
     static constexpr std::size_t kFewPlanes = 8;
 
     struct Level {

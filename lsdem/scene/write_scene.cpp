@@ -201,7 +201,7 @@ class SceneWriter {
         }
     }
 
-    /// Of one structure, by its place among the kinds.
+    /// One structure, by its place among the kinds.
     template <class Kind>
     ordered_json to_json(const Kind& structure, std::size_t kind, bool with_size) const {
         ordered_json object = write_part(structure, ordered_json{{"kind", detail::kStructureKinds.at(kind)}});

@@ -118,7 +118,7 @@ void make_stiffer(Model& model, double factor) {
     stiffen(model.ground.material);
 }
 
-/// What blocks feel when their base is accelerated along x by so many times gravity.
+/// Gravity that blocks feel when their base is accelerated along x by so many times gravity.
 void lean(Model& model, double acceleration) { model.gravity.x() = acceleration * model.gravity.z(); }
 
 /// Largest steady acceleration along x, over `around` times gravity, up to which equilibrium is found from one to the next, to 1e-4; and
