@@ -16,26 +16,35 @@ using detail::difference;
 using detail::Polygon;
 using detail::PolygonCutter;
 
-/// A sphere that holds an overlap.
-struct OverlapSphere {
-    Vector3 middle = Vector3::Zero();
-    double radius = 0.0;
+/// Depths below a plane [m].
+struct DepthRange {
+    double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+};
 
-    explicit OverlapSphere(const OverlapPieces& pieces) {
-        constexpr double kMargin = 1.0 + 1e-9;
-        std::size_t count = 0;
+/// Corners of an overlap, which lies within their hull.
+class OverlapCorners {
+  public:
+    explicit OverlapCorners(const OverlapPieces& pieces) {
         for (const OverlapPieces::Piece& piece : pieces) {
-            for (std::uint32_t i = 0; i < piece.count; ++i) middle += pieces.vertices(piece)[i].place;
-            count += piece.count;
+            for (std::uint32_t i = 0; i < piece.count; ++i) places_.push_back(pieces.vertices(piece)[i].place);
         }
-        if (count == 0) return;
-        middle /= static_cast<double>(count);
-        for (const OverlapPieces::Piece& piece : pieces) {
-            for (std::uint32_t i = 0; i < piece.count; ++i) {
-                radius = std::max(radius, kMargin * (pieces.vertices(piece)[i].place - middle).norm());
-            }
-        }
+        for (const Vector3& place : places_) margin_ = std::max(margin_, 1e-9 * (place - places_.front()).norm());
     }
+
+    /// Depths of the overlap below a plane, with a margin far above rounding and far below its size.
+    DepthRange find_depths(const Plane& plane) const {
+        DepthRange range;
+        for (const Vector3& place : places_) {
+            const double depth = plane.depth(place);
+            range.least = std::min(range.least, depth);
+            range.most = std::max(range.most, depth);
+        }
+        return {range.least - margin_, range.most + margin_};
+    }
+
+  private:
+    std::vector<Vector3> places_;
+    double margin_ = 0.0;  ///< [m]
 };
 
 /// Integrals over the borders of the cells into which the planes of a piece y cut what is inside another piece x.
@@ -43,7 +52,7 @@ class CellBorders {
   public:
     /// Sum over all sheets between two cells of y inside x [m⁴]: ∫ d² times |n_i − n_k|, where the depth takes the less deep of planes i,
     /// k; less that, where it takes the deeper.
-    double integrate_sheets(const PlacedPiece& x, const PlacedPiece& y, const OverlapSphere& overlap) {
+    double integrate_sheets(const PlacedPiece& x, const PlacedPiece& y, const OverlapCorners& overlap) {
         find_near_planes(y, overlap);
         double sum = 0.0;
         for (std::size_t i = 0; i < near_.size(); ++i) {
@@ -73,19 +82,20 @@ class CellBorders {
     }
 
   private:
-    /// Planes of y that may decide on the depth somewhere in the overlap.
-    void find_near_planes(const PlacedPiece& y, const OverlapSphere& overlap) {
-        near_.clear();
+    /// Planes of y that may decide on the depth somewhere in the overlap: those below which it has points no deeper than it can be in y,
+    /// and in a whole of y it is no deeper than below any one plane of that.
+    void find_near_planes(const PlacedPiece& y, const OverlapCorners& overlap) {
+        depths_.clear();
+        for (std::uint32_t k = 0; k < y.nearest_count(); ++k) depths_.push_back(overlap.find_depths(y.nearest_plane(k)));
         double deepest = 0.0;
         for (std::size_t whole = 0; whole < y.whole_count(); ++whole) {
-            double least = std::numeric_limits<double>::infinity();
-            for (std::size_t m = 0; m < y.whole_size(whole); ++m) {
-                least = std::min(least, y.nearest_plane(y.member(whole, m)).depth(overlap.middle));
-            }
-            deepest = std::max(deepest, least);
+            double most = std::numeric_limits<double>::infinity();
+            for (std::size_t m = 0; m < y.whole_size(whole); ++m) most = std::min(most, depths_[y.member(whole, m)].most);
+            deepest = std::max(deepest, most);
         }
+        near_.clear();
         for (std::uint32_t k = 0; k < y.nearest_count(); ++k) {
-            if (y.nearest_plane(k).depth(overlap.middle) <= deepest + 2.0 * overlap.radius) near_.push_back(k);
+            if (depths_[k].least <= deepest) near_.push_back(k);
         }
     }
 
@@ -178,11 +188,12 @@ class CellBorders {
     DepthCells cells_;
     Polygon face_;
     std::vector<OverlapVertex> vertices_;
+    std::vector<DepthRange> depths_;
     std::vector<std::uint32_t> near_;
 };
 
 /// Integrals over borders of the cells of `in` inside `of`, but for the faces of `of` that are part of its surface [m⁴].
-double integrate_borders(const PlacedSolid& of, const PlacedSolid& in, const OverlapSphere& overlap, CellBorders& borders) {
+double integrate_borders(const PlacedSolid& of, const PlacedSolid& in, const OverlapCorners& overlap, CellBorders& borders) {
     double sum = 0.0;
     for (const PlacedPiece& x : of.pieces()) {
         for (const PlacedPiece& y : in.pieces()) {
@@ -199,7 +210,7 @@ double integrate_borders(const PlacedSolid& of, const PlacedSolid& in, const Ove
 double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces) {
     // d = ∇·(−n d²/2) in every cell, so its integral is one over the cell's border: pieces of faces, and the sheets between cells
     CellBorders borders;
-    const OverlapSphere overlap(pieces);
+    const OverlapCorners overlap(pieces);
     const double rest = integrate_borders(b, a, overlap, borders) + integrate_borders(a, b, overlap, borders);
     return sum_load(pieces).energy + 0.25 * rest;
 }
