@@ -37,6 +37,7 @@ struct RunOptions : ResultOptions {
     std::string resume;
     std::optional<Number> duration;
     bool half_step = false;
+    bool until_collapse = false;
 };
 
 /// A run, and the error of its step where that is asked for.
@@ -150,7 +151,8 @@ CarriedOut run_or_resume(Begin begin, const RunOptions& options, const lsdem::Ru
 }
 
 CarriedOut carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
-    lsdem::RunSettings settings{.threads = options.threads, .runs_to_follow = count_runs(options)};
+    lsdem::RunSettings settings{
+        .threads = options.threads, .runs_to_follow = count_runs(options), .until_collapse = options.until_collapse};
     if (!directory.empty()) {
         settings.checkpoint = lsdem::CheckpointSettings{.file = checkpoint_in(directory),
                                                         .scene = begin.scene_text,
@@ -227,11 +229,15 @@ void add_run_command(CLI::App& app, Action& action) {
     CLI::Option* duration = add_positive_option(*command, "--duration", options->duration, "Simulated time [s], instead of the scene's");
     command->add_flag("--half-step", options->half_step,
                       "Run it at half its time step, too, and say up to when velocities agree: the error of the step (twice the work)");
+    command->add_flag("--until-collapse", options->until_collapse, "End when the structure has collapsed; no files are kept of such a run")
+        ->excludes(out)
+        ->excludes("--half-step");
     command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
         ->type_name("DIR")
         ->excludes(scene_file)
         ->excludes(out)
-        ->excludes(duration);
+        ->excludes(duration)
+        ->excludes("--until-collapse");
     options->add_with_checkpoints_to(*command);
     command->footer(
         "Examples:\n"

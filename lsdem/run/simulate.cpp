@@ -150,6 +150,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
         if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
         if (settings.observer.on_sample) settings.observer.on_sample(run, plan);
         report(steps);
+        if (settings.until_collapse && run.collapse_time) break;
         // a run that has come to its end has results
         if (k < plan.samples) scaling::stop_if_interrupted();
     }

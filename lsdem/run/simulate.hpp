@@ -37,13 +37,14 @@ struct RunObserver {
     std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
 };
 
-/// Settings of carrying out a run; none of them changes the results.
+/// Settings of carrying out a run; none of them changes the results, but that until_collapse leaves out what follows the collapse.
 struct RunSettings {
     int threads = 1;  ///< at most; scaling::count_usable_cores() for all cores
     RunObserver observer = {};
     double preparations_to_follow = 0.0;                ///< how many others that cost as much follow a preparation; for its progress
     double runs_to_follow = 1.0;                        ///< how many runs of its scene, by their work, follow a preparation; likewise
     std::optional<CheckpointSettings> checkpoint = {};  ///< none: a run that is killed is lost
+    bool until_collapse = false;                        ///< ends a run at the sample at which its structure has collapsed
 };
 
 /// A structure has collapsed when this fraction of its blocks has fallen (has_fallen). One in twenty: a few blocks may
