@@ -56,7 +56,7 @@ Model make_keyed_pair(double angle, bool keyed) {
 /// Height of the centre of the upper block over its base [m].
 double find_centre_height() { return make_keyed_pair(0.0, true).blocks[1].position.z(); }
 
-/// How the upper block has left its place after `duration` [s]: way along x [m], turn [rad].
+/// Way and turn by which the upper block has left its place after `duration` [s]: along x [m], in all [rad].
 struct Left {
     double way, turn;
 };

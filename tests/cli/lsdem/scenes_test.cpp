@@ -70,6 +70,25 @@ TEST_CASE("run --half-step estimates the error of the step as a pair does, and w
     CHECK(here.run("sequence scene.json --half-step -o seq").exit_code == 2);
 }
 
+TEST_CASE("run --until-collapse ends with the fall, which comes when it comes in the whole run") {
+    const Workplace here;
+    // a block that leans by 40 degrees on an edge
+    here.write("leaning.json", R"({"schema": "musim-scene/1", "name": "leaning", "material": "wood", "output": {"spine_rate": "100 Hz"},
+        "structure": {"kind": "blocks", "blocks": [{"size": ["10 mm", "20 mm", "40 mm"], "position": ["0 m", "0 m", "19 mm"],
+                                                    "quaternion": [0.939693, 0, 0.342020, 0]}]}, "time": {"duration": "1 s"}})");
+    const auto whole = here.run("run leaning.json --json").json(), cut = here.run("run leaning.json --until-collapse --json").json();
+    REQUIRE(whole["status"] == "collapsed");
+    CHECK(cut["status"] == "collapsed");
+    CHECK(cut["collapse_time_s"] == whole["collapse_time_s"]);
+    CHECK(whole["duration_s"].get<double>() == relative(1.0, 1e-9));
+    CHECK(cut["duration_s"].get<double>() == relative(cut["collapse_time_s"].get<double>(), 1e-9));
+    CHECK(here.run("run leaning.json --until-collapse -o out").exit_code == 2);
+    // what stands is run to its end
+    here.write("scene.json", SceneText().text());
+    CHECK(here.run("run scene.json --until-collapse --json").json()["state_hash"] ==
+          here.run("run scene.json --json").json()["state_hash"]);
+}
+
 TEST_CASE("a run holds its base against the record everywhere, and warns where peaks are others") {
     const Workplace here;
     // a triangle of 0.5 g at one sample: the base has means of two samples, half of it
