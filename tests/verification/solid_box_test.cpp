@@ -24,11 +24,11 @@ using namespace musim::lsdem::tests;
 namespace {
 
 /// The block of a stone as a box, as the hull of its corners, and as a compound of two halves.
-struct Form {
+struct DrawnForm {
     std::string name;
     Shape shape;
 };
-std::vector<Form> make_forms(const Stone& stone) {
+std::vector<DrawnForm> make_drawn_forms(const Stone& stone) {
     const Vector3& size = stone.size;
     const Solid box = make_box_solid(size);
     const Vector3 low = -0.5 * size, high = 0.5 * size;
@@ -39,7 +39,7 @@ std::vector<Form> make_forms(const Stone& stone) {
             {"two halves", make_solid_shape(make_compound(halves))}};
 }
 
-Model with_form(Model model, const Form& form) {
+Model with_form(Model model, const DrawnForm& form) {
     model.shapes[0] = form.shape;
     return model;
 }
@@ -55,7 +55,7 @@ Model make_shaken_pair(const Stone& stone) {
 
 TEST_CASE("blocks drawn as polyhedra and compounds move as boxes do") {
     const Stone stone = wood();
-    const std::vector<Form> forms = make_forms(stone);
+    const std::vector<DrawnForm> forms = make_drawn_forms(stone);
     std::vector<std::vector<Vector3>> way(forms.size());
     std::vector<std::vector<ContactForce>> forces(forms.size());
     for (std::size_t f = 0; f < forms.size(); ++f) {
@@ -92,7 +92,7 @@ TEST_CASE("a box tips at b over h, whatever it is drawn as") {
     // a part x of the base bears where x³ = 12 (h/2) N/(K w), K w = k_n/b
     const double edge = std::cbrt(6.0 * h * stone.weight() * b / stone.normal_stiffness) / b;
     REQUIRE(edge < 0.04);
-    for (const Form& form : make_forms(stone)) {
+    for (const DrawnForm& form : make_drawn_forms(stone)) {
         CAPTURE(form.name);
         const auto tips = [&](double part) {
             Model model = with_form(make_resting_column(stone, 1), form);
@@ -139,7 +139,7 @@ TEST_CASE("the push of boxes drawn as polyhedra is along the face at overlaps of
 namespace {
 
 /// Largest drift of a stack of two blocks over its second half of so many seconds, as a part of their height.
-double measure_drift(const Form& form, const Stone& stone, double duration) {
+double measure_hour_drift(const DrawnForm& form, const Stone& stone, double duration) {
     Model model = with_form(make_resting_column(stone, 2), form);
     model.gravity = tilted_gravity(std::atan(0.2 * stone.size.x() / stone.size.z()));
     Simulation s(model, 0.8 * compute_critical_time_step(model));
@@ -157,8 +157,8 @@ TEST_SUITE("slow") {
         Stone stone{{1.0, 1.2, 1.5}, 2400.0, 0.0, 0.0, 0.6, 0.3, 0.1};
         stone.normal_stiffness = 2.0 * stone.weight() / (4e-3 * stone.size.z());
         stone.shear_stiffness = 0.8 * stone.normal_stiffness;
-        for (const Form& form : make_forms(stone)) {
-            const double drift = measure_drift(form, stone, 3600.0);
+        for (const DrawnForm& form : make_drawn_forms(stone)) {
+            const double drift = measure_hour_drift(form, stone, 3600.0);
             MESSAGE(form.name << " drifts by " << drift << " of its height");
             CHECK(drift < 1e-9);
         }

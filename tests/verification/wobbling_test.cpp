@@ -14,25 +14,25 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
-constexpr double kRadius = 0.1, kHeight = 0.04, kTilt = 0.35;  // [m], [m], of its axis from the vertical [rad]
-constexpr int kFlats = 96;
+constexpr double kWobbleRadius = 0.1, kWobbleHeight = 0.04, kWobbleTilt = 0.35;  // [m], [m], of its axis from the vertical [rad]
+constexpr int kWobbleFlats = 96;
 
 /// A drum on its rim, leaning towards +x, that goes round about the vertical at `rate` [rad/s] with its centre at rest and no spin about
 /// its own axis; without friction and dashpots.
 Model make_wobbling_drum(double rate, double sink) {
     Model model;
     model.numerics.skip_rest = false;
-    model.shapes.push_back(make_solid_shape(make_drum(kRadius, kHeight, kFlats, kRadius)));
+    model.shapes.push_back(make_solid_shape(make_drum(kWobbleRadius, kWobbleHeight, kWobbleFlats, kWobbleRadius)));
     REQUIRE(model.shapes[0].own.rotation == Matrix3::Identity());
     const double mass = 2500.0 * model.shapes[0].volume;
-    const double stiffness = mass * kGravity / (kRadius * kRadius * sink * kRadius);
+    const double stiffness = mass * kGravity / (kWobbleRadius * kWobbleRadius * sink * kWobbleRadius);
     model.materials.push_back({stiffness, stiffness, 0.0, 1.0, 0.0});
     model.ground.material = model.materials.front();
     model.gravity = {0.0, 0.0, -kGravity};
     Block block;
     block.mass = mass;
-    block.orientation = Quaternion(Eigen::AngleAxisd(kTilt, Vector3::UnitY()));
-    block.position = {0.0, 0.0, kRadius * std::sin(kTilt) + 0.5 * kHeight * std::cos(kTilt)};
+    block.orientation = Quaternion(Eigen::AngleAxisd(kWobbleTilt, Vector3::UnitY()));
+    block.position = {0.0, 0.0, kWobbleRadius * std::sin(kWobbleTilt) + 0.5 * kWobbleHeight * std::cos(kWobbleTilt)};
     // Ω about the vertical less its part along the drum's axis
     const Vector3 axis = block.orientation * Vector3::UnitZ(), about = rate * Vector3::UnitZ();
     block.angular_velocity = about - about.dot(axis) * axis;
@@ -48,9 +48,10 @@ double find_upright_momentum(const Simulation& s) {
 }
 
 /// Rate at which the drum goes round when it leans by `tilt` [rad/s].
-double find_rate(double tilt) {
-    const double turn = 2.0 * kPi / kFlats, inertia = kRadius * kRadius * (2.0 + std::cos(turn)) / 12.0 + kHeight * kHeight / 12.0;
-    const double lever = kRadius * std::cos(tilt) - 0.5 * kHeight * std::sin(tilt);
+double find_wobbling_rate(double tilt) {
+    const double turn = 2.0 * kPi / kWobbleFlats,
+                 inertia = kWobbleRadius * kWobbleRadius * (2.0 + std::cos(turn)) / 12.0 + kWobbleHeight * kWobbleHeight / 12.0;
+    const double lever = kWobbleRadius * std::cos(tilt) - 0.5 * kWobbleHeight * std::sin(tilt);
     return std::sqrt(kGravity * lever / (inertia * std::sin(tilt) * std::cos(tilt)));
 }
 
@@ -59,7 +60,7 @@ double find_rate(double tilt) {
 // A drum that leans by α and goes round with its centre at rest: the moment m g ℓ of the ground, ℓ = R cos α − (H/2) sin α, turns an
 // angular momentum of I Ω sin α cos α across the vertical, so Ω² = m g ℓ/(I sin α cos α), I about a diameter. Of a thin disc 4g/(R sin α).
 TEST_CASE("a wobbling drum goes round as its moment says, and keeps its energy and its angular momentum about the vertical") {
-    const double rate = find_rate(kTilt);
+    const double rate = find_wobbling_rate(kWobbleTilt);
     const Model model = make_wobbling_drum(rate, 1e-5);
     Simulation s(model, 0.4 * compute_critical_time_step(model));
     const double start = s.energy().balance(), put_in = s.energy().kinetic + model.blocks[0].mass * kGravity * s.position(0).z();
@@ -79,10 +80,10 @@ TEST_CASE("a wobbling drum goes round as its moment says, and keeps its energy a
                                          << closure);
     // it is let go at the height and the tilt of a rigid, round drum, and nods a little about those of this one; it goes round as at one of
     // its tilts
-    CHECK(least_tilt > 0.97 * kTilt);
-    CHECK(most_tilt < 1.03 * kTilt);
-    CHECK(measured > find_rate(most_tilt));
-    CHECK(measured < find_rate(least_tilt));
+    CHECK(least_tilt > 0.97 * kWobbleTilt);
+    CHECK(most_tilt < 1.03 * kWobbleTilt);
+    CHECK(measured > find_wobbling_rate(most_tilt));
+    CHECK(measured < find_wobbling_rate(least_tilt));
     CHECK(closure < 1e-6);
     CHECK(std::abs(find_upright_momentum(s) / momentum - 1.0) < 1e-12);  // the ground pushes upright
 }
