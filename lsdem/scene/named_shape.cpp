@@ -133,11 +133,13 @@ class SolidMaker {
 
     static MeshUnit find_unit(const std::string& name) { return {name, scaling::parse_quantity<scaling::Length>("1 " + name).value()}; }
 
+    /// The solid of all parts of a file, of which those that share a face touch to what its digits tell.
     static DrawnSolid join(const MeshSolids& mesh) {
+        constexpr double kTouchingInFile = 2.0 * MeshLimits{}.dent;  // both faces are rounded
         if (mesh.solids.size() == 1) return {{{mesh.solids.front().solid}}, mesh.origin};
         std::vector<Polyhedron> parts;
         for (const MeshSolid& part : mesh.solids) parts.push_back(part.solid);
-        return {make_compound(parts), mesh.origin};
+        return {make_compound(parts, kTouchingInFile), mesh.origin};
     }
 
     /// Scaled, mirrored and turned.

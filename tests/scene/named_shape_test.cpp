@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -114,6 +115,59 @@ TEST_CASE("boxes drawn as polyhedra, prisms, compounds and meshes have the mass,
         CHECK(reference_block(scene)[1].value() == doctest::Approx(0.6).epsilon(1e-13));
         CHECK(reference_block(scene)[2].value() == doctest::Approx(0.2).epsilon(1e-13));
     }
+    std::filesystem::remove_all(folder);
+}
+
+namespace {
+
+/// An OBJ of boxes, each a group, turned and about a place [mm], its numbers of six digits.
+std::string write_turned_boxes(const std::vector<Bounds>& boxes) {
+    const Matrix3 turn = Quaternion(0.8, 0.3, -0.4, 0.33).normalized().toRotationMatrix();
+    std::string text;
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        text += fmt::format("g box_{}\n", b);
+        for (int c = 0; c < 8; ++c) {
+            const auto pick = [&](int axis) { return ((c >> axis & 1) != 0 ? boxes[b].high : boxes[b].low)[axis]; };
+            const Vector3 x = turn * Vector3(pick(0), pick(1), pick(2)) + Vector3(120.0, -340.0, 90.0);
+            text += fmt::format("v {:.6g} {:.6g} {:.6g}\n", x.x(), x.y(), x.z());
+        }
+        for (const auto& face : {std::array{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
+            text += "f";
+            for (const int corner : face) text += fmt::format(" {}", corner + 8 * static_cast<int>(b));
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("groups of an OBJ that share a face to its six digits make one solid") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "musim_touching_groups_test";
+    std::filesystem::create_directories(folder);
+    const std::string shape = R"("whole": {"kind": "compound", "file": ")" + (folder / "parts.obj").string() + R"(", "unit": "mm"})";
+    const auto make = [&](const std::vector<Bounds>& boxes) {
+        std::ofstream(folder / "parts.obj") << write_turned_boxes(boxes);
+        return make_model(make_shapes_scene(shape, R"({"shape": "whole", "position": [0, 0, 3]})")).shapes.at(0);
+    };
+    // two halves are a box, but for the rounding of its coordinates; a smaller face on a larger one makes a key
+    const Shape box = make({{{0, 0, 0}, {200, 600, 200}}, {{200, 0, 0}, {400, 600, 200}}});
+    CHECK(box.solid->is_convex());
+    CHECK(box.solid->pieces.front().faces.size() == 6);
+    CHECK(box.volume == doctest::Approx(0.048).epsilon(2e-5));
+    const Shape keyed = make({{{0, 0, 0}, {400, 600, 200}}, {{150, 200, 200}, {250, 400, 300}}});
+    CHECK_FALSE(keyed.solid->is_convex());
+    CHECK(keyed.volume == doctest::Approx(0.05).epsilon(2e-5));
+
+    // what is farther apart than digits tell is refused, and what lies within another
+    check_message(error_of([&] {
+                      make({{{0, 0, 0}, {200, 600, 200}}, {{200.1, 0, 0}, {400, 600, 200}}});
+                  }),
+                  {"/shapes/whole: ", "part 1 does not hang together with part 0"});
+    check_message(error_of([&] {
+                      make({{{0, 0, 0}, {400, 600, 200}}, {{100, 100, 50}, {200, 200, 150}}});
+                  }),
+                  {"/shapes/whole: ", "parts 0 and 1 overlap"});
     std::filesystem::remove_all(folder);
 }
 
