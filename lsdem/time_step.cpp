@@ -11,6 +11,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/detail/matrix6.hpp"
+#include "lsdem/facing_sides.hpp"
 #include "lsdem/solid/bearing_side.hpp"
 
 namespace musim::lsdem {
@@ -169,10 +170,14 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
     });
 }
 
-/// Limit of a solid of which any side bears, with the one that faces away from it.
-double solid_limit(const Model& model, const Partners& partners, const Block& block, const Solid& solid) {
+/// Limit of a solid of which any side bears that may, with the one that faces away from it. `may_bear`: empty for all.
+double solid_limit(const Model& model, const Partners& partners, const Block& block, const Solid& solid,
+                   const std::vector<bool>& may_bear = {}) {
     double limit = std::numeric_limits<double>::infinity();
-    for (const BearingSide& side : find_bearing_sides(solid)) {
+    const std::vector<BearingSide> sides = find_bearing_sides(solid);
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        if (!may_bear.empty() && !may_bear[s]) continue;
+        const BearingSide& side = sides[s];
         const BearingSide other = find_bearing_side(solid, -side.normal);
         limit = std::min(limit, block_limit(model, partners, block, [&](int i, const Interface& law) {
                              const BearingSide& pressed = i == 0 ? other : side;
@@ -182,9 +187,10 @@ double solid_limit(const Model& model, const Partners& partners, const Block& bl
     return limit;
 }
 
-double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis) {
+double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis,
+                   const std::vector<bool>& may_bear = {}) {
     const Solid* const solid = model.shapes[block.shape].solid.get();
-    if (solid != nullptr) return solid_limit(model, partners, block, *solid);
+    if (solid != nullptr) return solid_limit(model, partners, block, *solid, may_bear);
     return block_limit(model, partners, block, axis, meets_by_overlap(model, block) ? Spread::even : Spread::by_nodes);
 }
 
@@ -200,12 +206,13 @@ double find_largest_face(const Model& model, const Block& block) {
     return largest;
 }
 
-/// Calls visit(block) with a block of every kind that moves: equal ones count once; of blocks that differ in height only, the shortest and
-/// the tallest do.
+/// Calls visit(block, sides) with a block of every kind that moves: equal ones count once; of blocks that differ in height only, the
+/// shortest and the tallest do. With it come the sides that may bear of one of that kind, of those of each block, if any are given.
 template <class Visit>
-void visit_kinds(const Model& model, const Visit& visit) {
+void visit_kinds(const Model& model, const std::vector<std::vector<bool>>& sides, const Visit& visit) {
     struct Extremes {
         const Block *shortest, *tallest;
+        std::vector<bool> sides;
     };
     const std::vector<double> nominal_masses = compute_nominal_masses(model);
     std::map<std::tuple<std::size_t, std::size_t, double, bool, Eigen::Index>, Extremes> kinds;
@@ -215,13 +222,16 @@ void visit_kinds(const Model& model, const Visit& visit) {
         if (!(model.materials[block.material].normal_stiffness > 0.0))
             throw std::invalid_argument("compute_critical_time_step: the normal stiffness must be positive");
         const auto key = std::tuple{block.shape, block.material, nominal_masses[i], block.rotation_locked, find_upright_axis(block)};
-        Extremes& known = kinds.try_emplace(key, Extremes{&block, &block}).first->second;
+        Extremes& known = kinds.try_emplace(key, Extremes{&block, &block, {}}).first->second;
         if (block.height_offset < known.shortest->height_offset) known.shortest = &block;
         if (block.height_offset > known.tallest->height_offset) known.tallest = &block;
+        if (sides.empty()) continue;
+        known.sides.resize(sides[i].size(), false);
+        for (std::size_t f = 0; f < sides[i].size(); ++f) known.sides[f] = known.sides[f] || sides[i][f];
     }
     for (const auto& [key, extremes] : kinds) {
-        visit(*extremes.shortest);
-        if (extremes.tallest != extremes.shortest) visit(*extremes.tallest);
+        visit(*extremes.shortest, extremes.sides);
+        if (extremes.tallest != extremes.shortest) visit(*extremes.tallest, extremes.sides);
     }
 }
 
@@ -257,7 +267,9 @@ double find_highest_restitution(const Model& model) {
 double compute_critical_time_step(const Model& model) {
     const Partners partners(model);
     double limit = std::numeric_limits<double>::infinity();
-    visit_kinds(model, [&](const Block& block) { limit = std::min(limit, block_limit(model, partners, block, find_upright_axis(block))); });
+    visit_kinds(model, find_facing_sides(model), [&](const Block& block, const std::vector<bool>& sides) {
+        limit = std::min(limit, block_limit(model, partners, block, find_upright_axis(block), sides));
+    });
     if (!std::isfinite(limit)) throw std::invalid_argument("compute_critical_time_step: the model has no moving block");
     return limit;
 }
@@ -275,7 +287,7 @@ int compute_landing_halvings(const Model& model) {
     if (!limit) return 0;
     const Partners partners(model);
     double lying = *limit, squared_frequency = 0.0;
-    visit_kinds(model, [&](const Block& block) {
+    visit_kinds(model, {}, [&](const Block& block, const std::vector<bool>& /*sides*/) {
         // round bodies show the same face to all sides
         if (!model.shapes[block.shape].faceted) return;
         const Shape& shape = model.shapes[block.shape];

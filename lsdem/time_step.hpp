@@ -10,8 +10,9 @@ namespace musim::lsdem {
 ///
 /// A mode of mass m, stiffness k and damping c is stable while  k·dt²/(4m) + c·dt/(2m) < 1.  Since |u_a − u_b|² ≤ 2|u_a|² + 2|u_b|², no
 /// mode of the assembly exceeds the largest eigenvalue over single blocks of  2·M⁻¹(K·dt²/4 + C·dt/2),  K and C (6 x 6) those of the
-/// block's two faces across the axis that stands most upright at the start (of other solids: of any side and the one that faces away from
-/// it, each with the faces within 15°), with everything else held; the factor 2 drops out against the
+/// block's two faces across the axis that stands most upright at the start (of other solids: of any side that may bear
+/// before a block leaves its place, see find_facing_sides, and the one that faces away from it, each with the faces within 15°), with
+/// everything else held; the factor 2 drops out against the
 /// ground and against fixed blocks. For a chain this is the exact limit; it counts normal and shear springs, rocking and their coupling.
 /// Blocks that differ in height only (Block::height_offset) count by the shortest and the tallest: what lies between is no
 /// stiffer by more than (4σ_H/H)²/2, and only where the heights straddle a width.
