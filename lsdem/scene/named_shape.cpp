@@ -133,7 +133,7 @@ class SolidMaker {
 
     static MeshUnit find_unit(const std::string& name) { return {name, scaling::parse_quantity<scaling::Length>("1 " + name).value()}; }
 
-    /// The solid of all parts of a file, of which those that share a face touch to what its digits tell.
+    /// The solid of all parts of a file, of which those that share a face touch to the rounding of its digits.
     static DrawnSolid join(const MeshSolids& mesh) {
         constexpr double kTouchingInFile = 2.0 * MeshLimits{}.dent;  // both faces are rounded
         if (mesh.solids.size() == 1) return {{{mesh.solids.front().solid}}, mesh.origin};

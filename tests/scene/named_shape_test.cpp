@@ -159,7 +159,7 @@ TEST_CASE("groups of an OBJ that share a face to its six digits make one solid")
     CHECK_FALSE(keyed.solid->is_convex());
     CHECK(keyed.volume == doctest::Approx(0.05).epsilon(2e-5));
 
-    // what is farther apart than digits tell is refused, and what lies within another
+    // what is farther apart than digits give is refused, and what lies within another
     check_message(error_of([&] {
                       make({{{0, 0, 0}, {200, 600, 200}}, {{200.1, 0, 0}, {400, 600, 200}}});
                   }),
