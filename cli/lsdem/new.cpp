@@ -56,13 +56,13 @@ std::optional<lsdem::Triple<scaling::Length>> parse_block(const std::vector<std:
 /// The file of a mesh; its unit is read like that of any quantity.
 std::optional<lsdem::MeshForm> find_mesh(const NewOptions& options) {
     if (options.wanted.kind != "mesh") {
-        if (!options.mesh.empty() || !options.unit.empty()) throw CLI::ValidationError("--mesh", "and --unit are for the kind mesh");
+        if (!options.mesh.empty() || !options.unit.empty()) throw CLI::ValidationError("--mesh", "and --mesh-unit are for the kind mesh");
         return std::nullopt;
     }
     if (options.mesh.empty() || options.unit.empty()) {
-        throw CLI::ValidationError("--mesh", "and --unit are needed: musim new mesh --mesh boulder.stl --unit mm");
+        throw CLI::ValidationError("--mesh", "and --mesh-unit are needed: musim new mesh --mesh boulder.stl --mesh-unit mm");
     }
-    read_option("--unit", [&] { return scaling::parse_si_with_unit("1 " + options.unit, scaling::dimension_of<scaling::Length>()); });
+    read_option("--mesh-unit", [&] { return scaling::parse_si_with_unit("1 " + options.unit, scaling::dimension_of<scaling::Length>()); });
     return lsdem::MeshForm{.file = fs::absolute(options.mesh).lexically_normal(), .unit = options.unit, .part = {}};
 }
 
@@ -133,7 +133,7 @@ void add_new_command(CLI::App& app, Action& action) {
         "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most), voussoirs of an arch (7), drums (4)",
         {1, 1000});
     command->add_option("--mesh", options->mesh, "Of mesh: the file of the block, an STL, OBJ or PLY")->type_name("FILE");
-    command->add_option("--unit", options->unit, "Of mesh: unit of the file's coordinates, such as mm")->type_name("UNIT");
+    command->add_option("--mesh-unit", options->unit, "Of mesh: unit of the file's coordinates, such as mm")->type_name("UNIT");
     options->record.add_to(*command,
                            "Shake with the strong motion of this record of a prototype, scaled by the mu law, instead of a made one");
     command->add_flag("--force", options->force, "Replace the file of --out");
@@ -144,7 +144,7 @@ void add_new_command(CLI::App& app, Action& action) {
         "  musim new wall --material concrete --length 1/25\n"
         "  musim new wall --material granite --block \"0.2 m\" \"0.6 m\" \"0.3 m\"\n"
         "  musim new arch --material granite --block \"0.15 m\" \"0.3 m\" \"0.4 m\" --layers 7 -o arch.json\n"
-        "  musim new mesh --mesh boulder.stl --unit mm --material granite -o boulder.json\n"
+        "  musim new mesh --mesh boulder.stl --mesh-unit mm --material granite -o boulder.json\n"
         "  musim new tower --block \"30 mm\" \"60 mm\" \"90 mm\" --record station.v1 -o tower.json\n"
         "The scene is complete: `musim check` says what it means, `musim run` runs it. Change it in any editor; its comments say how.");
     command->callback([&action, options] {

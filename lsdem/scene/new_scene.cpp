@@ -95,7 +95,7 @@ ShapeColumn make_drums(const Triple<Length>& block, int drums, std::map<std::str
     constexpr double kOver = 1.2;  // width of plinth and capital over that of the drums
     const Length width = rounded(kOver * block[1], 4);
     shapes["plinth"].form = shapes["capital"].form = BoxForm{{width, width, rounded(0.5 * block[0], 4)}};
-    shapes["drum"].form = CylinderForm{.radius = rounded(0.5 * block[1], 4), .height = block[2], .flats = 24, .top_radius = {}};
+    shapes["drum"].form = CylinderForm{.radius = rounded(0.5 * block[1], 4), .height = block[2], .flats = 12, .top_radius = {}};
     ShapeColumn column{{"plinth"}};
     column.blocks.insert(column.blocks.end(), static_cast<std::size_t>(drums), "drum");
     column.blocks.emplace_back("capital");
