@@ -122,7 +122,10 @@ class Preview {
 
     /// Ruler of the height: bars of a round length, black and white in turn, and the height itself.
     void draw_ruler() {
-        const double height = summary_.high.z(), low = std::min(0.0, summary_.low.z());
+        // a solid that stands on the ground may be below it by rounding
+        constexpr double kRounding = 1e-9;
+        const double height = summary_.high.z(), lowest = summary_.low.z();
+        const double low = lowest < -kRounding * (height - lowest) ? lowest : 0.0;
         const double bar = detail::round_down(std::max(height - low, 1e-300) / 3.0);
         const double x = left_ - 26.0, px = place_.scale * view_.up.z();
         const auto y_at = [&](double z) { return y_of(ground_[0]) - px * z; };
