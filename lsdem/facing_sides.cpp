@@ -9,7 +9,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// What stands before a face is looked for as far as this part of the block's largest edge [-]: at no number that ratios of lengths come
+/// Distance from a face up to which bodies count as before it, in largest edges of its block [-]: at no number that ratios of lengths come
 /// to.
 constexpr double kFacingReach = 0.77;
 /// Rim of a face that is not looked before [part of the way to its middle]: neighbours of an arch touch there.
