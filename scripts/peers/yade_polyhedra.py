@@ -1,7 +1,7 @@
 # To be run by YADE (`scripts/peers/run yade_polyhedra [REPEATS STEPS [MUSIM_BENCH]]`): microseconds of one core per block and step of its
 # polyhedra, of an arch of 31 voussoirs with 8 corners and of a column of 12 drums of 24 flats. They settle on their base before they are
 # timed; shaken, it then moves as in musim's bench: 1.00, 0.71 and 0.31 g at 10 Hz along x, y, z. With musim's bench program that one's
-# scenes arch, arch_shaken, drums and drums_shaken are timed in turn with YADE's, wall time of one thread: on a machine that is idle.
+# scenes are timed in turn with YADE's: arch and drums; drums_shaken, and arch_hit, whose voussoirs each have a velocity of their own.
 import json
 import os
 import statistics
@@ -15,6 +15,8 @@ STIFFNESS, DENSITY, FRICTION, GRAVITY = 2e10, 2000.0, 0.6, 9.81
 REPEATS, STEPS = (int(argument) for argument in (sys.argv[1:] + ['7', '60'][len(sys.argv) - 1:])[:2])
 BENCH = sys.argv[3] if len(sys.argv) > 3 else None
 SETTLING, SETTLING_DAMPING = 800, 0.7
+MUSIM_SCENES = {('arch', 'sticking'): 'arch', ('arch', 'shaken'): 'arch_hit', ('drums', 'sticking'): 'drums',
+                ('drums', 'shaken'): 'drums_shaken'}
 
 
 def box(low, high):
@@ -64,11 +66,11 @@ def shake(bases):
 
 
 def time_musim(scene):
-    """Microseconds per block and step of one thread by musim's bench, nothing where it has no such scene."""
+    """Microseconds of one core per block and step by musim's bench."""
     own = {key: value for key, value in os.environ.items() if key != 'LD_LIBRARY_PATH'}
     lines = subprocess.run([BENCH, scene], env=own, capture_output=True, text=True, check=True).stdout.splitlines()
     rows = [dict(zip(lines[0].split(','), line.split(','))) for line in lines[1:]]
-    return next((float(row['us_per_block_step']) for row in rows if row['threads'] == '1'), None)
+    return next(float(row['us_per_block_step_core']) for row in rows if row['threads'] == '1')
 
 
 rows = []
@@ -86,5 +88,5 @@ for name, (blocks, held, area) in (('arch', arch()), ('drums', drums())):
                      'core_us_per_block_and_step': round(statistics.median(times), 1), 'least': round(min(times), 1),
                      'most': round(max(times), 1), 'step_s': O.dt, 'load': os.getloadavg()[0]})
         if BENCH:
-            rows[-1]['musim'] = time_musim(name if state == 'sticking' else name + '_shaken')
+            rows[-1]['musim'] = time_musim(MUSIM_SCENES[name, state])
 print(json.dumps({'peer': 'YADE', 'version': '2023.02a', 'rows': rows}).replace('{"scene"', '\n  {"scene"'))

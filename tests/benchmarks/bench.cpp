@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -24,8 +25,6 @@ using musim::lsdem::Simulation;
 
 /// Repetitions whose median counts; the machine is noisy.
 constexpr int kRepetitions = 7;
-/// Block steps of one repetition: some tenths of a second of work.
-constexpr double kBlockSteps = 2e6;
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + kRepetitions / 2, values.end());
@@ -35,6 +34,9 @@ double median(std::vector<double> values) {
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// Time of all cores on this process so far [s].
+double core_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Memory of this process now [bytes].
 double resident_memory() {
@@ -51,9 +53,10 @@ double peak_memory() {
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Microseconds per block and step, of the whole step and of its phases (wall time, whatever the threads).
+/// Microseconds per block and step, of the whole step and of its phases (wall time, whatever the threads), and of all cores, which other
+/// programs on the machine prolong less.
 struct Timing {
-    std::vector<double> whole, contacts, motion, neighbors;
+    std::vector<double> whole, core, contacts, motion, neighbors;
 };
 
 void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
@@ -65,7 +68,7 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
     Simulation simulation(model, dt, threads);
     const double setup = seconds_since(made), memory = resident_memory() - memory_before;
     if (simulation.threads() != threads) return;
-    const auto steps = static_cast<std::uint64_t>(std::max(20.0, kBlockSteps / blocks));
+    const auto steps = static_cast<std::uint64_t>(std::max(20.0, scene.block_steps / blocks));
     simulation.advance(std::max(steps / 4, static_cast<std::uint64_t>(scene.settle / dt)));
 
     Timing timing;
@@ -73,7 +76,9 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
     for (int repetition = 0; repetition < kRepetitions; ++repetition) {
         const PhaseTimes before = simulation.phase_times();
         const auto start = std::chrono::steady_clock::now();
+        const double core_start = core_seconds();
         simulation.advance(steps);
+        timing.core.push_back((core_seconds() - core_start) * per_block_step);
         timing.whole.push_back(seconds_since(start) * per_block_step);
         const PhaseTimes after = simulation.phase_times();
         timing.contacts.push_back((after.contacts - before.contacts) * per_block_step);
@@ -83,8 +88,8 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
     const auto contacts = static_cast<double>(simulation.statistics().contacts);
     const double whole = median(timing.whole);
     fmt::print("{},{},{:.0f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.0f},{:.2f},{:.0f},{:.0f}\n", scene.name, blocks, contacts, threads,
-               whole, whole * threads, median(timing.contacts), median(timing.motion), median(timing.neighbors), contacts / blocks / whole,
-               setup, memory / blocks, peak_memory());
+               whole, median(timing.core), median(timing.contacts), median(timing.motion), median(timing.neighbors),
+               contacts / blocks / whole, setup, memory / blocks, peak_memory());
     std::fflush(stdout);
 }
 

@@ -222,7 +222,7 @@ lsdem::Model hit(lsdem::Model model) {
 }  // namespace
 
 std::vector<BenchScene> make_bench_scenes() {
-    constexpr double kStrong = 0.02;
+    constexpr double kStrong = 0.02, kSlow = 5e4;
     std::vector<BenchScene> scenes;
     scenes.push_back({"single_block", [] { return make_column(1); }});
     scenes.push_back({"column", [] { return make_column(kLayers); }});
@@ -235,10 +235,10 @@ std::vector<BenchScene> make_bench_scenes() {
     scenes.push_back({"shaken_no_rotation", [] { return without_rotation(shaken(make_tower())); }, kStrong});
     scenes.push_back({"tower_nodes", [] { return make_tower(lsdem::FaceContact::nodes); }});
     scenes.push_back({"tower_grid", make_grid_tower});
-    scenes.push_back({"drums", make_drums});
-    scenes.push_back({"drums_shaken", [] { return shaken(make_drums()); }, kStrong});
-    scenes.push_back({"arch", make_arch});
-    scenes.push_back({"arch_hit", [] { return hit(make_arch()); }});
+    scenes.push_back({"drums", make_drums, 0.0, kSlow});
+    scenes.push_back({"drums_shaken", [] { return shaken(make_drums()); }, kStrong, kSlow});
+    scenes.push_back({"arch", make_arch, 0.0, kSlow});
+    scenes.push_back({"arch_hit", [] { return hit(make_arch()); }, 0.0, kSlow});
     scenes.push_back({"column_at_rest", make_column_at_rest});
     scenes.push_back({"column_waiting", [] { return make_column(kLayers); }});
     scenes.push_back({"debris", make_debris});

@@ -12,7 +12,8 @@ namespace musim::benchmarks {
 struct BenchScene {
     std::string name;
     std::function<lsdem::Model()> make;
-    double settle = 0.0;  ///< model time before the clock starts [s]
+    double settle = 0.0;       ///< model time before the clock starts [s]
+    double block_steps = 2e6;  ///< of one repetition: some tenths of a second of work
 };
 
 /// All named scenes, wood at 1:107 [Harmon23]; the tower has 38 layers of 188 blocks.
