@@ -61,6 +61,12 @@ Material find_joint(const Model& model, std::size_t a, const std::optional<std::
     return combine(model.materials[a], b ? model.materials[*b] : model.ground.material);
 }
 
+Material find_joint_of_blocks(const Model& model, std::size_t a, const std::optional<std::size_t>& b) {
+    Material joint = find_joint(model, model.blocks[a].material, b ? std::optional(model.blocks[*b].material) : std::nullopt);
+    joint.friction *= find_friction_factor(model.scatter, a, b);
+    return joint;
+}
+
 Interface make_interface(const Material& joint, double effective_mass, double face_area) {
     Interface law;
     law.normal_stiffness = joint.normal_stiffness;

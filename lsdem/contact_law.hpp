@@ -40,6 +40,9 @@ Material combine(const Material& a, const Material& b);
 /// Joint of a block of material `a` and one of material `b` (nothing: the ground): as Model::pairs has it, else combine().
 Material find_joint(const Model& model, std::size_t a, const std::optional<std::size_t>& b);
 
+/// Joint of block `a` and block `b` (nothing: the ground): that of their materials, with the friction that Model::scatter gives this one.
+Material find_joint_of_blocks(const Model& model, std::size_t a, const std::optional<std::size_t>& b);
+
 /// Interface of what both sides have together. Damping of a whole face, C·A_face = 2ζ·sqrt(m_eff·K·A_face). `effective_mass`
 /// m_i·m_j/(m_i + m_j) [kg] (the block's own against the ground), `face_area` A_face [m²]: the smaller base of the two blocks, the block's
 /// own on the ground.

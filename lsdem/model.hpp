@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "lsdem/joint_scatter.hpp"
 #include "lsdem/shape.hpp"
 #include "lsdem/types.hpp"
 
@@ -111,6 +112,7 @@ struct Model {
     std::vector<Shape> shapes;
     std::vector<Material> materials;
     std::vector<MaterialPair> pairs;  ///< of materials; those that are not in it follow from the two
+    JointScatter scatter;             ///< of single joints about those of their materials
     std::vector<Block> blocks;
     Ground ground;
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]

@@ -57,9 +57,14 @@ static void exchange(Archive& archive, Ground& g) { archive(g.present, g.materia
 
 static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
+/// Nothing of a model without it, whose states keep their names.
+static void exchange(Archive& archive, JointScatter& s) {
+    if (s.friction != 0.0) archive(s.friction, s.seed);
+}
+
 static void exchange(Archive& archive, Model& m) {
     archive(m.shapes, m.materials, m.pairs, m.blocks, m.ground, m.gravity, m.numerics.contact_nodes, m.numerics.skip_rest,
-            m.numerics.skip_apart, m.numerics.face_contact, m.velocity_damping, m.preload);
+            m.numerics.skip_apart, m.numerics.face_contact, m.velocity_damping, m.preload, m.scatter);
 }
 
 std::uint64_t hash_model(Model model, double time_step) {

@@ -89,11 +89,11 @@ NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
 Interface NeighborSearch::make_pair_interface(BlockPair blocks) const {
     const Block& a = model_->blocks[blocks.leader];
     const double area_a = model_->shapes[a.shape].face_area;
-    if (blocks.follower == kGround) return make_interface(find_joint(*model_, a.material, std::nullopt), a.mass, area_a);
+    if (blocks.follower == kGround) return make_interface(find_joint_of_blocks(*model_, blocks.leader, std::nullopt), a.mass, area_a);
     const Block& b = model_->blocks[blocks.follower];
     const double mass = a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
     const double area = std::min(area_a, model_->shapes[b.shape].face_area);
-    const Interface whole = make_interface(find_joint(*model_, a.material, b.material), mass, area);
+    const Interface whole = make_interface(find_joint_of_blocks(*model_, blocks.leader, blocks.follower), mass, area);
     return model_->numerics.contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
 }
 

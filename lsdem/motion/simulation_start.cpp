@@ -43,6 +43,8 @@ void check_model(const Model& model, double time_step) {
         require(pair.first < model.materials.size() && pair.second.value_or(0) < model.materials.size(),
                 "Simulation: a pair names a material that does not exist");
     }
+    require(model.scatter.friction >= 0.0 && kMostJointDeviates * model.scatter.friction < 1.0,
+            "Simulation: the scatter of friction must not be negative, and small enough to leave every joint some");
     for (const Preload& preload : model.preload) {
         require(preload.leader < model.blocks.size() && preload.follower.value_or(0) < model.blocks.size(),
                 "Simulation: a preload names a block that does not exist");

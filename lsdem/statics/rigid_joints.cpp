@@ -244,13 +244,13 @@ class JointSearch {
         if (model_.blocks[i].fixed || poses_[i].position.z() > reach_of(i)) return;
         const BodyPose ground = ground_below(poses_[i]);
         add(i, std::nullopt, {.a = &poses_[i], .b = &ground, .origin = 0.0}, gap_of(i),
-            find_joint(model_, model_.blocks[i].material, std::nullopt).friction);
+            find_joint_of_blocks(model_, i, std::nullopt).friction);
     }
     void meet(std::size_t i, std::size_t j) {
         const Block &a = model_.blocks[i], &b = model_.blocks[j];
         const double reach = reach_of(i) + reach_of(j);
         if ((a.fixed && b.fixed) || (a.position - b.position).squaredNorm() > reach * reach) return;
-        add(i, j, {.a = &poses_[i], .b = &poses_[j]}, std::min(gap_of(i), gap_of(j)), find_joint(model_, a.material, b.material).friction);
+        add(i, j, {.a = &poses_[i], .b = &poses_[j]}, std::min(gap_of(i), gap_of(j)), find_joint_of_blocks(model_, i, j).friction);
     }
     void add(std::size_t block, std::optional<std::size_t> other, const detail::BoxMeeting& boxes, double gap, double friction) {
         const MeetingSolids solids{solid_of(block), other ? solid_of(*other) : nullptr};
