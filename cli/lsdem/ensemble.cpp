@@ -204,8 +204,8 @@ int run_ensemble(const EnsembleOptions& options) {
 
 void add_ensemble_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<EnsembleOptions>();
-    CLI::App* command = app.add_subcommand("ensemble", "A scene with several seeds of its block heights: mean and scatter");
-    CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file with a height_deviation");
+    CLI::App* command = app.add_subcommand("ensemble", "A scene with several seeds of its block heights and scatter: mean and scatter");
+    CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file with a height_deviation or a scatter");
     scene_file->type_name("SCENE.json");
     CLI::Option* out = options->add_out(*command, "Directory for the members and ensemble.json, .h5, .csv, .svg");
     CLI::Option* compare =

@@ -215,7 +215,8 @@ std::vector<SceneEstimate> estimate_scene(const Scene& given, double friction, c
                          .title = "a block slides above",
                          .text = write_limit(properties.friction, gravity),
                          .value = properties.friction,
-                         .formula = "least friction coefficient"});
+                         .formula = upright.model.scatter.friction > 0.0 ? "least friction coefficient, without its scatter"
+                                                                         : "least friction coefficient"});
     const double contact = std::sqrt(properties.normal_stiffness->value() / properties.block_mass().value()) / (2.0 * std::numbers::pi);
     estimates.push_back({.key = "contact_frequency",
                          .title = "a block on one face, up and down",

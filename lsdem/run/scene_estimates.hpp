@@ -50,7 +50,7 @@ std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, c
                                           const std::vector<MotionSummary>& motions, const SceneStanding& standing);
 
 /// Least friction coefficient that a block of the first one's material can meet: on the ground and, where there are several levels or no
-/// ground, on any other block [-].
+/// ground, on any other block; without the scatter of single joints [-].
 double find_least_friction(const Model& model, int levels);
 
 }  // namespace musim::lsdem

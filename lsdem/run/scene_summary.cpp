@@ -40,6 +40,13 @@ Vector3 find_size(const Shape& shape) {
     return shape.solid ? find_bounds(*shape.solid, shape.own.inverse()).size() : Vector3(2.0 * shape.half_extents);
 }
 
+/// Name of the material of a block of a layered structure: its lintels may have one of their own.
+std::string find_lintel_material(const Scene& scene, const Model& model, std::size_t block) {
+    const auto* wall = std::get_if<Wall>(&scene.structure);
+    const bool is_own = model.blocks[block].material != model.blocks.front().material;
+    return wall != nullptr && wall->lintel && is_own ? wall->lintel->material : std::string();
+}
+
 void count_blocks(const Scene& scene, SceneSummary& summary) {
     const Model& model = summary.specimen.model;
     summary.low.setConstant(std::numeric_limits<double>::infinity());
@@ -50,7 +57,7 @@ void count_blocks(const Scene& scene, SceneSummary& summary) {
     const std::string of_all = tower == nullptr ? "" : tower->shape;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Block& block = model.blocks[b];
-        const std::string material = list == nullptr ? "" : list->blocks[b].material,
+        const std::string material = list == nullptr ? find_lintel_material(scene, model, b) : list->blocks[b].material,
                           shape = list == nullptr ? of_all : list->blocks[b].shape;
         const Shape& own = model.shapes[block.shape];
         const Vector3 size = find_size(own);
@@ -212,6 +219,7 @@ SceneSummary summarize_scene(const Scene& scene) {
     summary.materials.emplace_back("", scene.material);
     summary.materials.insert(summary.materials.end(), scene.materials.begin(), scene.materials.end());
     summary.pairs = scene.pairs;
+    summary.scatter = scene.scatter;
     summary.stiffness_base = reference_area(scene);
     summary.contact = describe_contact(scene, summary.specimen.model);
     summary.time_step = summary.motions.front().plan.time_step;

@@ -43,13 +43,14 @@ struct SceneSummary {
     double mass = 0.0;                                             ///< of all blocks [kg]
     Vector3 low = Vector3::Zero(), high = Vector3::Zero();         ///< corners of the box around all blocks [m]
     std::vector<std::pair<std::string, BlockMaterial>> materials;  ///< the scene's own first, without a name
-    std::vector<PairEntry> pairs;                                  ///< of materials that meet in a way of their own
-    scaling::Area stiffness_base{};                                ///< area of the face that has the stiffnesses
-    std::string contact;                                           ///< how blocks meet
-    std::vector<MotionSummary> motions;                            ///< one, or the stages of a sequence
-    double time_step = 0.0;                                        ///< [s]
-    std::optional<double> critical_time_step;                      ///< [s]
-    PreparationWork preparation;                                   ///< before the motion, without that between several motions
+    std::optional<Scatter> scatter;
+    std::vector<PairEntry> pairs;              ///< of materials that meet in a way of their own
+    scaling::Area stiffness_base{};            ///< area of the face that has the stiffnesses
+    std::string contact;                       ///< how blocks meet
+    std::vector<MotionSummary> motions;        ///< one, or the stages of a sequence
+    double time_step = 0.0;                    ///< [s]
+    std::optional<double> critical_time_step;  ///< [s]
+    PreparationWork preparation;               ///< before the motion, without that between several motions
     std::string preparation_text;
     SceneStanding standing;  ///< where it rests before the motion
     std::vector<SceneEstimate> estimates;

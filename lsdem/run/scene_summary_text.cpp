@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -58,18 +59,33 @@ std::string describe_pair(const PairEntry& pair, const SceneSummary& summary) {
     return fmt::format("pair        {} on {}: {}", pair.of[0], pair.of[1], fmt::join(parts, ", "));
 }
 
+/// Kinds of blocks that a text lists: more is no help, as of blocks that scatter in size.
+constexpr std::size_t kMostKinds = 12;
+
+std::string describe_scatter(const Scatter& scatter) {
+    std::vector<std::string> parts;
+    if (scatter.size.value() > 0.0) parts.push_back("sizes " + scaling::format_quantity(scatter.size, 4));
+    if (scatter.place.value() > 0.0) parts.push_back("places " + scaling::format_quantity(scatter.place, 4));
+    if (scatter.friction > 0.0) parts.push_back(fmt::format("friction of joints {:.3g} %", 100.0 * scatter.friction));
+    return fmt::format("scatter     {}, seed {}", parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", ")), scatter.seed);
+}
+
 void describe_structure(const SceneSummary& summary, std::vector<std::string>& lines) {
     const Vector3 size = summary.high - summary.low;
     lines.push_back(fmt::format("structure   {} in {}, {}, {} in all", count(summary.specimen.model.blocks.size(), "block"),
                                 count(static_cast<std::size_t>(summary.levels), "level"), write_size(size),
                                 write<scaling::Mass>(summary.mass)));
-    for (const BlockKind& kind : summary.kinds) {
+    for (std::size_t k = 0; k < std::min(kMostKinds, summary.kinds.size()); ++k) {
+        const BlockKind& kind = summary.kinds[k];
         lines.push_back(fmt::format("            {} of {}{}, {} each{}{}", kind.count,
                                     kind.shape.empty() ? "" : fmt::format("\"{}\" in ", kind.shape), write_size(kind.size),
                                     write<scaling::Mass>(kind.mass / static_cast<double>(kind.count)),
                                     summary.materials.size() > 1 ? ", " + name_material(kind.material) : "",
                                     kind.fixed > 0 ? fmt::format(", {} held in place", kind.fixed) : ""));
     }
+    if (summary.kinds.size() > kMostKinds)
+        lines.push_back(fmt::format("            and {} more kinds of blocks", summary.kinds.size() - kMostKinds));
+    if (summary.scatter) lines.push_back(describe_scatter(*summary.scatter));
     for (const auto& [name, material] : summary.materials) {
         lines.push_back(
             fmt::format("material    {}density {}, k_n {}, k_s {} of a face of {} (K_n {}, K_s {}), friction {:.4g}, restitution {:.4g}",
@@ -236,6 +252,11 @@ json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& 
     }
     object["materials"] = json::object();
     for (const auto& [name, material] : summary.materials) object["materials"][name] = to_json(material, summary.stiffness_base.value());
+    if (summary.scatter) {
+        const Scatter& scatter = *summary.scatter;
+        object["scatter"] = {
+            {"size_m", scatter.size.value()}, {"place_m", scatter.place.value()}, {"friction", scatter.friction}, {"seed", scatter.seed}};
+    }
     object["pairs"] = json::array();
     for (const PairEntry& pair : summary.pairs) object["pairs"].push_back(to_json(pair, summary.stiffness_base.value()));
     object["motions"] = json::array();

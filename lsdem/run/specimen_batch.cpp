@@ -16,6 +16,7 @@
 #include "lsdem/run/specimen_file.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/specimen_seed.hpp"
 #include "records/error.hpp"
 #include "scaling/side_by_side.hpp"
 
@@ -107,30 +108,6 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
 
 std::string specimen_file_of(const Scene& scene) {
     return specimen_file_name(describe_inputs(scene, find_preparation(scene, make_upright_specimen(scene))));
-}
-
-Scene with_seed(Scene scene, std::uint64_t seed) {
-    std::visit(
-        [&](auto& structure) {
-            if constexpr (requires { structure.seed; }) {
-                structure.seed = seed;
-            } else {
-                throw SceneError(
-                    scene.place() +
-                    ": specimens are made of columns, towers and walls (single blocks are placed as they are); name such a scene");
-            }
-        },
-        scene.structure);
-    return scene;
-}
-
-std::uint64_t seed_of(const Scene& scene) {
-    return std::visit(
-        [](const auto& structure) -> std::uint64_t {
-            if constexpr (requires { structure.seed; }) return structure.seed;
-            return 1;
-        },
-        scene.structure);
 }
 
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {

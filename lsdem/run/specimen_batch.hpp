@@ -8,10 +8,11 @@
 
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/scene/specimen_seed.hpp"
 
 namespace musim::lsdem {
 
-/// Specimens of one scene with several seeds of their blocks' heights.
+/// Specimens of one scene with several seeds of their blocks' heights and scatter.
 struct SpecimenBatch {
     Scene scene;
     std::vector<std::uint64_t> seeds;   ///< at least one
@@ -50,11 +51,5 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 
 /// Name of the file that holds the specimen of a scene, once it has been made.
 std::string specimen_file_of(const Scene& scene);
-
-/// The scene with another seed of its blocks' heights. Throws SceneError for an explicit list of blocks.
-Scene with_seed(Scene scene, std::uint64_t seed);
-
-/// The seed of a scene's block heights; 1 for an explicit list of blocks.
-std::uint64_t seed_of(const Scene& scene);
 
 }  // namespace musim::lsdem

@@ -99,6 +99,7 @@ class Lister {
             const Quaternion& q = block.orientation;
             entry.quaternion = {q.w(), q.x(), q.y(), q.z()};
             entry.rotation_locked = block.rotation_locked;
+            entry.material = block.material;
         }
     }
 

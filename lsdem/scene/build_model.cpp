@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -40,7 +41,12 @@ std::string format_length(double meters) { return scaling::format_quantity(scali
 /// Box lattice with the scene's nodes on a whole face; a half block keeps the spacing of a whole one.
 NodeLattice make_lattice(const Placement& block, int nodes_per_face) {
     NodeLattice lattice = make_node_lattice(block.whole_size, nodes_per_face);
-    if (block.size != block.whole_size) lattice.ny = lattice.ny / 2 + 1;
+    if (block.size == block.whole_size) return lattice;
+    const auto spread = [](int nodes, double part) { return std::max(2, static_cast<int>(std::lround((nodes - 1) * part)) + 1); };
+    const double across = block.size.x() / block.whole_size.x(), along = block.size.y() / block.whole_size.y();
+    const bool is_half = along < 0.5 && along > 0.375;
+    lattice.nx = spread(lattice.nx, across);
+    lattice.ny = is_half ? lattice.ny / 2 + 1 : spread(lattice.ny, along);
     return lattice;
 }
 
@@ -156,20 +162,8 @@ class ModelBuilder {
     std::map<std::string, std::size_t> materials_;
 };
 
-std::vector<detail::Body> make_bodies(const Scene& scene, const std::vector<Placement>& blocks) {
-    const bool has_spheres = std::holds_alternative<SphereShape>(scene.shape);
-    std::vector<detail::Body> bodies;
-    bodies.reserve(blocks.size());
-    for (const Placement& block : blocks) {
-        const Solid* const solid = block.solid ? block.solid->solid.get() : nullptr;
-        const bool round = has_spheres || (!block.shape.empty() && solid == nullptr);
-        bodies.push_back({0.5 * block.own_size(), block.position, block.orientation.toRotationMatrix(), round, block.fixed, solid});
-    }
-    return bodies;
-}
-
 void refuse_overlaps(const Scene& scene, const std::vector<Placement>& blocks) {
-    const std::vector<detail::Body> bodies = make_bodies(scene, blocks);
+    const std::vector<detail::Body> bodies = detail::make_bodies(scene, blocks);
     if (const auto overlap = detail::find_deepest_overlap(bodies)) {
         throw SceneError(fmt::format("{}: {} and {} overlap by {} at the start (blocks may touch, not overlap); move them apart",
                                      scene.place(), name_block(scene, blocks, overlap->first), name_block(scene, blocks, overlap->second),
@@ -211,6 +205,7 @@ BuiltModel build_model(const Scene& scene) {
     builder.add_pairs();
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     model.gravity = detail::to_vector(scene.gravity);
+    if (scene.scatter && scene.scatter->friction != 0.0) model.scatter = {scene.scatter->friction, scene.scatter->seed};
     model.numerics.contact_nodes = scene.contact_nodes;
     model.numerics.face_contact = scene.face_contact;
 

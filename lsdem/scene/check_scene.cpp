@@ -13,6 +13,7 @@
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/detail/each_structure.hpp"
 #include "lsdem/scene/detail/require.hpp"
+#include "lsdem/scene/detail/wall_courses.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_key.hpp"
 #include "scaling/laws/law_similitude.hpp"
@@ -181,14 +182,41 @@ void check(const Tower& tower, const JsonPlace& place, const Scene& /*scene*/) {
     check_heights(tower.height_deviation, tower.block[2], place.at("height_deviation"));
 }
 
-void check(const Wall& wall, const JsonPlace& place, const Scene& /*scene*/) {
+void require_not_negative(int count, const JsonPlace& place) {
+    if (count < 0 || count > detail::kLargestCount)
+        fail(place, fmt::format("{} (must be from 0 to {}); correct the number", count, detail::kLargestCount));
+}
+
+/// Keys of a wall that count from 0.
+void check_counts(const Wall& wall, const JsonPlace& place) {
+    for (std::size_t k = 0; k < wall.openings.size(); ++k)
+        require_not_negative(wall.openings[k].sill, place.at("openings").at(k).at("sill"));
+    if (wall.leaves) require_not_negative(wall.leaves->headers_every, place.at("leaves").at("headers_every"));
+    if (!wall.returns) return;
+    require_not_negative(wall.returns->left, place.at("returns").at("left"));
+    require_not_negative(wall.returns->right, place.at("returns").at("right"));
+}
+
+void check_lintel(const Wall& wall, const JsonPlace& place, const Scene& scene) {
+    if (!wall.lintel) return;
+    if (wall.openings.empty()) fail(place, "there is no opening to cross; give the wall \"openings\", or leave it out");
+    if (!wall.lintel->material.empty() && !scene.materials.contains(wall.lintel->material)) {
+        fail(place.at("material"),
+             fmt::format("\"{}\" is not among the scene's materials; add it under /materials", wall.lintel->material));
+    }
+}
+
+void check(const Wall& wall, const JsonPlace& place, const Scene& scene) {
     require_fields(wall, place);
+    check_counts(wall, place);
+    check_lintel(wall, place.at("lintel"), scene);
     check_heights(wall.height_deviation, wall.block[2], place.at("height_deviation"));
     const scaling::Length p = wall.pitch.value_or(default_pitch(wall.block));
     if (!(wall.block[1] <= 2.0 * p && wall.block[1] > p)) {
         fail(place.at("pitch"), fmt::format("{} does not suit blocks of width {} (needs p < w <= 2p); choose a pitch a little above w/2",
                                             describe(p), describe(wall.block[1])));
     }
+    detail::lay_wall(wall, place);
 }
 
 void check(const RecordMotion& motion, const JsonPlace& place) {
@@ -224,9 +252,21 @@ void check(const Preparation& preparation, const JsonPlace& place, const Scene& 
         fail(place.at("placing"), "only boxes are laid in layers (the tower's blocks have a \"shape\"); use \"as_drawn\"");
     if (listed && preparation.placing.value_or(BlockPlacing::as_drawn) != BlockPlacing::as_drawn)
         fail(place.at("placing"), "only columns, towers and walls have layers to be placed (these are single blocks); use \"as_drawn\"");
-    if (listed && preparation.specimen)
-        fail(place.at("specimen"), "only columns, towers and walls are made from specimens (these are single blocks); leave it out");
+    if (listed && preparation.specimen && !scene.scatter) {
+        fail(place.at("specimen"),
+             "only columns, towers and walls, and single blocks with a \"scatter\", are made from specimens; leave it out");
+    }
     if (preparation.specimen && preparation.placing) fail(place.at("placing"), "a specimen is placed already; leave one of the two out");
+}
+
+void check(const Scatter& scatter, const JsonPlace& place) {
+    require_fields(scatter, place);
+    constexpr double kMostFriction = 0.2;
+    if (scatter.friction > kMostFriction) {
+        fail(place.at("friction"),
+             fmt::format("{} (a part of the mean; beyond {} joints of the far tail would have none left); use at most {}",
+                         describe(scatter.friction), kMostFriction, kMostFriction));
+    }
 }
 
 void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
@@ -309,7 +349,7 @@ void check_scene(const Scene& scene, const std::string& origin) {
     detail::check_kinds(scene, root);
     detail::for_each_structure(scene, root, [&](const auto& structure, const JsonPlace& place) { check(structure, place, scene); });
     if (const auto* assembly = std::get_if<Assembly>(&scene.structure)) check_assembly(*assembly, scene, root.at("structures"));
-    if (scene.scatter) require_fields(*scene.scatter, root.at("scatter"));
+    if (scene.scatter) check(*scene.scatter, root.at("scatter"));
     check(scene.material, root.at("material"));
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
     check_pairs(scene, root.at("pairs"));

@@ -116,6 +116,7 @@ bool meets(const Scene& scene, const std::string& name) {
         } else {
             found |= wanted.empty();
         }
+        if constexpr (requires { structure.lintel; }) found |= structure.lintel && structure.lintel->material == wanted;
     });
     return found;
 }
@@ -157,15 +158,18 @@ void drop_idle_settings(Scene& scene) {
 /// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
 void collect_materials(const JsonReader& object, const detail::FindStiffnessBase& base, Scene& scene) {
     const detail::SceneRules rules(&scene.text);
+    const auto collect = [&](const std::string& name, const detail::JsonPlace& place) {
+        if (name.empty() || scene.materials.contains(name)) return;
+        const Json text = name;
+        const JsonReader value(text, rules, place.at("material").text);
+        scene.materials.emplace(name, parse_material(value, base));
+    };
     detail::for_each_structure(scene, detail::JsonPlace{object.place()}, [&](const auto& structure, const detail::JsonPlace& place) {
         if constexpr (requires { structure.blocks.front().material; }) {
-            for (std::size_t k = 0; k < structure.blocks.size(); ++k) {
-                const std::string& name = structure.blocks[k].material;
-                if (name.empty() || scene.materials.contains(name)) continue;
-                const Json text = name;
-                const JsonReader value(text, rules, place.at("blocks").at(k).at("material").text);
-                scene.materials.emplace(name, parse_material(value, base));
-            }
+            for (std::size_t k = 0; k < structure.blocks.size(); ++k) collect(structure.blocks[k].material, place.at("blocks").at(k));
+        }
+        if constexpr (requires { structure.lintel; }) {
+            if (structure.lintel) collect(structure.lintel->material, place.at("lintel"));
         }
     });
 }

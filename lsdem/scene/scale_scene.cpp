@@ -17,6 +17,7 @@ class Scaler {
     template <class Value>
     void scale(Value& value) const {
         if constexpr (scaling::QuantityWithUnit<Value>) value = similitude_.to_model(value);
+        if constexpr (detail::kHasFields<Value>) scale_part(value);
     }
     template <class Value, std::size_t Count>
     void scale(std::array<Value, Count>& values) const {

@@ -93,14 +93,51 @@ struct Tower {
     bool operator==(const Tower&) const = default;
 };
 
+/// A hole in a wall, between courses.
+struct WallOpening {
+    scaling::Length from{};   ///< from the left end of the wall, at −x, to the near jamb
+    scaling::Length width{};  ///< clear, from jamb to jamb
+    int sill = 0;             ///< courses below it
+    int courses = 1;          ///< that it is high
+
+    bool operator==(const WallOpening&) const = default;
+};
+
+/// Boxes over openings, one course high and as thick as a leaf; none over an opening that reaches the top of its wall.
+struct WallLintel {
+    std::optional<scaling::Length> bearing;  ///< on the wall at each side; default: a half block
+    std::string material;                    ///< key of Scene::materials; empty: Scene::material
+
+    bool operator==(const WallLintel&) const = default;
+};
+
+/// Two leaves instead of one, each as thick as a block.
+struct WallLeaves {
+    scaling::Length gap{};  ///< between them
+    int headers_every = 0;  ///< courses whose number is a multiple of it are of blocks that go through both leaves; 0: none
+
+    bool operator==(const WallLeaves&) const = default;
+};
+
+/// Walls at right angles to the ends of another, towards +y, interlocked: every other course runs through the corner.
+struct WallReturns {
+    int left = 0, right = 0;  ///< whole blocks in a course, the corner included; 0: no such wall
+
+    bool operator==(const WallReturns&) const = default;
+};
+
 /// A straight wall along x in running bond: odd courses of whole blocks, even courses shifted by half a block, closed by half blocks.
 struct Wall {
     int layers = 1;
     int blocks_per_layer = 1;
     Triple<scaling::Length> block{};       ///< b across the wall, w along it, H
     std::optional<scaling::Length> pitch;  ///< half a block and its joint, along x; default: see default_pitch
-    scaling::Length height_deviation{};    ///< standard deviation σ_H of the block heights
-    std::uint64_t seed = 1;                ///< of the heights
+    std::vector<WallOpening> openings;
+    std::optional<WallLintel> lintel;    ///< default: of half a block's bearing and the scene's material
+    std::optional<WallLeaves> leaves;    ///< default: one
+    std::optional<WallReturns> returns;  ///< default: a straight wall
+    scaling::Length height_deviation{};  ///< standard deviation σ_H of the block heights
+    std::uint64_t seed = 1;              ///< of the heights
 
     bool operator==(const Wall&) const = default;
 };
@@ -146,11 +183,11 @@ struct Assembly {
 
 using Structure = std::variant<BlockList, Column, Tower, Wall, ShapeColumn, Arch, Assembly>;
 
-/// Scatter of what was built against what was drawn, of any structure; each seed draws another specimen.
+/// Scatter of what was built against what was drawn, by a seed: see detail/scatter_blocks.hpp, and JointScatter for friction.
 struct Scatter {
-    scaling::Length size{};   ///< standard deviation of the edges of blocks
-    scaling::Length place{};  ///< of the places of blocks, across
-    double friction = 0.0;    ///< of the friction of a block's joints, part of it [-]
+    scaling::Length size{};   ///< standard deviation of the horizontal edges of boxes, none of which is longer than drawn
+    scaling::Length place{};  ///< of the places of blocks, along x and y, within their joints
+    double friction = 0.0;    ///< of the friction coefficients of joints, as a part of their mean [-]
     std::uint64_t seed = 1;
 
     bool operator==(const Scatter&) const = default;

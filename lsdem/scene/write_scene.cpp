@@ -78,6 +78,8 @@ class SceneWriter {
                 return fmt::format("{:.{}g} deg", value.value() * scaling::kDegrees, kDigits);
             if (style_ == QuantityStyle::text) return scaling::format_quantity(value, kDigits);
             return value.value();
+        } else if constexpr (detail::kHasFields<Value>) {
+            return write_part(value);
         } else {
             return value;
         }
@@ -100,7 +102,11 @@ class SceneWriter {
     ordered_json write(const ChosenPart& part) const {
         return std::visit([](const auto& which) -> ordered_json { return which; }, part);
     }
-    ordered_json write(const TilingSettings& tiling) const { return write_part(tiling); }
+    ordered_json write(const WallLintel& lintel) const {
+        ordered_json object = write_part(lintel);
+        if (!lintel.material.empty()) object["material"] = lintel.material;
+        return object;
+    }
     ordered_json write(records::SampleQuantity quantity) const { return records::to_string(quantity); }
     /// Numbers of columns as numbers.
     ordered_json write(const records::ColumnChoices& columns) const {
@@ -131,6 +137,10 @@ class SceneWriter {
     template <class Value>
     void put(ordered_json& object, const char* key, const std::optional<Value>& value) const {
         if (value) object[key] = write(*value);
+    }
+    /// Nothing of a wall without any.
+    void put(ordered_json& object, const char* key, const std::vector<WallOpening>& openings) const {
+        if (!openings.empty()) object[key] = write(openings);
     }
     /// Adds the fields of a part.
     template <class Part>

@@ -18,10 +18,10 @@
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"
-#include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/scene/specimen_seed.hpp"
 #include "scaling/interruption.hpp"
 #include "scaling/setting.hpp"
 #include "scaling/side_by_side.hpp"
@@ -33,15 +33,15 @@ namespace fs = std::filesystem;
 
 void require_ensemble(const Scene& scene) {
     require_single_motion(scene, "an ensemble");
-    if (!find_height_variation(scene)) {
+    if (!draws_specimen(scene)) {
         throw SceneError(
-            fmt::format("{}: all members would be the same (its blocks are of one height); give a column, tower or wall a "
-                        "\"height_deviation\"",
+            fmt::format("{}: all members would be the same (its blocks are of one height, and nothing scatters); give a column, tower or "
+                        "wall a \"height_deviation\", or the scene a \"scatter\"",
                         scene.place()));
     }
     if (scene.preparation && scene.preparation->specimen) {
         throw SceneError(
-            fmt::format("{}: names one specimen, {} (members have blocks of other heights)", scene.place(),
+            fmt::format("{}: names one specimen, {} (members have blocks of their own)", scene.place(),
                         scene.preparation->specimen->string()),
             Remedy{"leave \"preparation.specimen\" out: each is then prepared by itself, or comes from ", Setting::specimen_folder});
     }

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "lsdem/run/shared_progress.hpp"
-#include "lsdem/run/specimen_batch.hpp"
+#include "lsdem/scene/specimen_seed.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "scaling/side_by_side.hpp"
 

@@ -14,8 +14,8 @@
 #include "lsdem/results/checksum.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/scale_specimen.hpp"
-#include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/specimen_seed.hpp"
 #include "lsdem/study/ensemble_members.hpp"
 #include "lsdem/study/model_distortions.hpp"
 #include "lsdem/study/own_models.hpp"
@@ -146,10 +146,11 @@ class OtherSpecimens {
   public:
     /// `own`: are there models of their own, which are held against other specimens unless that is asked for otherwise?
     OtherSpecimens(const Scene& prototype, bool own, const PairSceneSettings& how, std::size_t runs) : scene_(prototype) {
-        const bool drawn = find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
+        const bool drawn = draws_specimen(prototype) && !(prototype.preparation && prototype.preparation->specimen);
         if (how.specimens.value_or(0) > 0 && !drawn) {
             throw SceneError(
-                fmt::format("{}: its block heights are not drawn (height_deviation), so it has one specimen only", prototype.place()),
+                fmt::format("{}: neither block heights (height_deviation) nor a scatter are drawn, so it has one specimen only",
+                            prototype.place()),
                 Remedy{"leave ", Setting::specimen_count, " out"});
         }
         if (drawn) count_ = how.specimens.value_or(own ? kOtherSpecimens : 0);

@@ -105,6 +105,7 @@ std::optional<std::string> find_other_blocks(const Specimen& first, const Specim
         if (2.0 * (of_second - half).cwiseAbs().maxCoeff() > near) return fmt::format("block {} has another size", i);
         if ((b.position - a.position).cwiseAbs().maxCoeff() > near) return fmt::format("block {} is at another place", i);
     }
+    if (first.model.scatter != second.model.scatter) return "the friction of its joints is drawn anew";
     if (blocks > 0 && are_heights_drawn_anew(first, second)) return "its block heights are drawn anew";
     return std::nullopt;
 }
@@ -112,6 +113,8 @@ std::optional<std::string> find_other_blocks(const Specimen& first, const Specim
 std::optional<std::string> find_other_structure(const Scene& first, const Scene& second) {
     const std::optional<HeightVariation> of_first = find_height_variation(first), of_second = find_height_variation(second);
     if (of_first && of_second && of_first->seed != of_second->seed) return "its block heights are drawn anew, from another seed";
+    if (first.scatter && second.scatter && first.scatter->seed != second.scatter->seed)
+        return "its scatter is drawn anew, from another seed";
     return find_other_blocks(make_upright_specimen(first), make_upright_specimen(second));
 }
 

@@ -37,7 +37,11 @@ Scene make_wall(int courses) {
     wall.name = "mini-tower";
     wall.material = find_material_preset("wood").material;
     const auto mm = [](double length) { return 1e-3 * length * scaling::si::meters; };
-    wall.structure = Wall{.layers = courses, .blocks_per_layer = 3, .block = {mm(12.710), mm(26.355), mm(39.780)}, .pitch = {}};
+    Wall made;
+    made.layers = courses;
+    made.blocks_per_layer = 3;
+    made.block = {mm(12.710), mm(26.355), mm(39.780)};
+    wall.structure = made;
     wall.time.duration = 1.0 * scaling::si::seconds;
     return wall;
 }

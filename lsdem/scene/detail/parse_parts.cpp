@@ -151,6 +151,21 @@ void read_value(const JsonReader& json, TilingSettings& tiling) {
     }
 }
 
+void read_value(const JsonReader& json, std::vector<WallOpening>& openings) {
+    if (!json.json().is_array()) json.fail("a list [ ... ] of openings is wanted; correct the value");
+    for (const JsonReader& entry : json.entries()) read_fields(to_object(entry, "opening"), openings.emplace_back());
+}
+
+void read_value(const JsonReader& json, WallLintel& lintel) {
+    const JsonReader object = to_object(json, "lintel");
+    read_fields(object, lintel);
+    object.read("material", lintel.material);
+}
+
+void read_value(const JsonReader& json, WallLeaves& leaves) { read_fields(to_object(json, "leaves"), leaves); }
+
+void read_value(const JsonReader& json, WallReturns& returns) { read_fields(to_object(json, "returns"), returns); }
+
 void read_value(const JsonReader& json, records::SampleQuantity& quantity) {
     const std::vector<std::string> names{"acceleration", "velocity", "displacement"};
     quantity = *records::find_sample_quantity(names[to_choice(json, names)]);

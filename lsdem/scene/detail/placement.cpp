@@ -11,6 +11,9 @@
 
 #include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/block_heights.hpp"
+#include "lsdem/scene/detail/overlap.hpp"
+#include "lsdem/scene/detail/scatter_blocks.hpp"
+#include "lsdem/scene/detail/wall_courses.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
 namespace musim::lsdem::detail {
@@ -202,31 +205,25 @@ Arrangement arrange(const Tower& tower) {
     return arrangement;
 }
 
+/// The line goes up the right end of the wall, of its first leaf.
 Arrangement arrange(const Wall& wall) {
-    const Vector3 size = to_vector(wall.block);
-    const double pitch = wall.pitch.value_or(default_pitch(wall.block)).value();
-    // a half block fills one cell of the pitch and leaves the same joint as whole ones
-    const Vector3 half_size(size.x(), size.y() - pitch, size.z());
-    const int n = wall.blocks_per_layer;
-
+    const Vector3 whole = to_vector(wall.block);
     Arrangement arrangement;
-    const auto add = [&](const Vector3& block_size, double cells_from_middle, int layer) {
-        Placement block = place(block_size, {cells_from_middle * pitch, 0.0, layer_height(size.z(), layer)}, layer);
-        block.whole_size = size;
-        block.orientation = quarter_turn();
-        arrangement.blocks.push_back(std::move(block));
+    std::size_t last = 0;
+    const auto end_course = [&](int course) {
+        if (course % 2 == 1) add_to_line(arrangement.spine, last, course);
+        if (course % 2 == 0 && course == wall.layers) add_top(arrangement.spine, last, course);
     };
-    for (int layer = 1; layer <= wall.layers; ++layer) {
-        if (layer % 2 == 1) {
-            for (int k = 0; k < n; ++k) add(size, 2 * k + 1 - n, layer);
-            add_to_line(arrangement.spine, arrangement.blocks.size() - 1, layer);
-            continue;
-        }
-        add(half_size, 0.5 - n, layer);
-        for (int k = 1; k < n; ++k) add(size, 2 * k - n, layer);
-        add(half_size, n - 0.5, layer);
+    for (const WallBox& box : lay_wall(wall, {"/structure"})) {
+        if (!arrangement.blocks.empty() && box.course != arrangement.blocks.back().layer) end_course(box.course - 1);
+        if (box.is_line) last = arrangement.blocks.size();
+        Placement block = place(box.size, box.position, box.course);
+        block.whole_size = whole;
+        if (box.along_x) block.orientation = quarter_turn();
+        if (box.is_lintel) block.material = wall.lintel.value_or(WallLintel{}).material;
+        arrangement.blocks.push_back(std::move(block));
     }
-    if (wall.layers % 2 == 0) add_top(arrangement.spine, arrangement.blocks.size() - 1, wall.layers);
+    end_course(wall.layers);
     return arrangement;
 }
 
@@ -279,7 +276,10 @@ Arrangement arrange_boxes(const Scene& scene) {
     return arrangement;
 }
 
-Arrangement arrange(const Scene& scene) {
+namespace {
+
+/// As arrange(), without the scatter of sizes and places.
+Arrangement arrange_as_drawn(const Scene& scene) {
     if (is_listed(scene)) return arrange_list(as_listed(scene));
     Arrangement arrangement = arrange_boxes(scene);
     const auto* tower = std::get_if<Tower>(&scene.structure);
@@ -290,6 +290,26 @@ Arrangement arrange(const Scene& scene) {
         block.whole_size = block.size;
     }
     return arrangement;
+}
+
+}  // namespace
+
+Arrangement arrange(const Scene& scene) {
+    Arrangement arrangement = arrange_as_drawn(scene);
+    scatter_blocks(scene, arrangement.blocks);
+    return arrangement;
+}
+
+std::vector<Body> make_bodies(const Scene& scene, const std::vector<Placement>& blocks) {
+    const bool has_spheres = std::holds_alternative<SphereShape>(scene.shape);
+    std::vector<Body> bodies;
+    bodies.reserve(blocks.size());
+    for (const Placement& block : blocks) {
+        const Solid* const solid = block.solid ? block.solid->solid.get() : nullptr;
+        const bool round = has_spheres || (!block.shape.empty() && solid == nullptr);
+        bodies.push_back({0.5 * block.own_size(), block.position, block.orientation.toRotationMatrix(), round, block.fixed, solid});
+    }
+    return bodies;
 }
 
 }  // namespace musim::lsdem::detail

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/named_shape.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/types.hpp"
@@ -48,8 +49,12 @@ struct Arrangement {
 /// Places the boxes of a column, a tower or a wall, of their own heights; of a tower of a named shape what these would be.
 Arrangement arrange_boxes(const Scene& scene);
 
-/// Places the blocks of a scene's structure. Throws SceneError when the tower's ring cannot be tiled or its tiling cannot be read.
+/// Places the blocks of a scene's structure, as its scatter has them. Throws SceneError when the tower's ring cannot be tiled or its tiling
+/// cannot be read, and when its scatter is too large for a block.
 Arrangement arrange(const Scene& scene);
+
+/// The blocks as bodies of the overlap check; they refer to the solids of `blocks`.
+std::vector<Body> make_bodies(const Scene& scene, const std::vector<Placement>& blocks);
 
 /// Levels of blocks by their heights, from 1 at the lowest: a block begins a new level when its centre is higher than the first of the
 /// level by half of the lower of the two, or more; blocks of one course differ by less, those of the next by a whole height.

@@ -33,6 +33,9 @@ std::string describe(Quantity value) {
     return std::isfinite(value.value()) ? scaling::format_quantity(value) : describe(value.value());
 }
 
+template <class Part>
+void require_fields(const Part& part, const JsonPlace& place);
+
 /// Check of the numbers and quantities of a scene.
 template <class Value>
 void require(const Value& value, Range range, const JsonPlace& place) {
@@ -48,6 +51,8 @@ void require(const Value& value, Range range, const JsonPlace& place) {
         if (range == Range::any || fits) return;
         const char* wanted = range == Range::finite ? "be finite" : range == Range::positive ? "be positive" : "not be negative";
         fail(place, fmt::format("{} (must {}); correct the value", describe(value), wanted));
+    } else if constexpr (kHasFields<Value>) {
+        require_fields(value, place);
     }
 }
 

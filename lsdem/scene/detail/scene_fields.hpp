@@ -144,11 +144,32 @@ inline constexpr auto kFields<Tower> = std::tuple{
     Field{"seed", &Tower::seed},
 };
 template <>
+inline constexpr auto kFields<WallOpening> = std::tuple{
+    Field{"from", &WallOpening::from, Range::not_negative, kRequired},
+    Field{"width", &WallOpening::width, Range::positive, kRequired},
+    Field{"sill", &WallOpening::sill},
+    Field{"courses", &WallOpening::courses, Range::one_or_more, kRequired},
+};
+/// Before its material.
+template <>
+inline constexpr auto kFields<WallLintel> = std::tuple{Field{"bearing", &WallLintel::bearing, Range::positive}};
+template <>
+inline constexpr auto kFields<WallLeaves> = std::tuple{
+    Field{"gap", &WallLeaves::gap, Range::not_negative, kRequired},
+    Field{"headers_every", &WallLeaves::headers_every},
+};
+template <>
+inline constexpr auto kFields<WallReturns> = std::tuple{Field{"left", &WallReturns::left}, Field{"right", &WallReturns::right}};
+template <>
 inline constexpr auto kFields<Wall> = std::tuple{
     Field{"layers", &Wall::layers, Range::one_or_more},
     Field{"blocks_per_layer", &Wall::blocks_per_layer, Range::one_or_more},
     Field{"block", &Wall::block, Range::positive, kRequired},
     Field{"pitch", &Wall::pitch, Range::positive},
+    Field{"openings", &Wall::openings},
+    Field{"lintel", &Wall::lintel},
+    Field{"leaves", &Wall::leaves},
+    Field{"returns", &Wall::returns},
     Field{"height_deviation", &Wall::height_deviation, Range::not_negative},
     Field{"seed", &Wall::seed},
 };
@@ -244,6 +265,10 @@ inline constexpr auto kFields<OutputSettings> = std::tuple{
     Field{"spine_rate", &OutputSettings::spine_rate, Range::not_negative},
     Field{"frame_rate", &OutputSettings::frame_rate, Range::positive},
 };
+
+/// Has a part fields of its own?
+template <class Part>
+inline constexpr bool kHasFields = std::tuple_size_v<std::remove_const_t<decltype(kFields<Part>)>> > 0;
 
 /// Calls `visit(field, value)` for every field of a part.
 template <class Part, class Visit>

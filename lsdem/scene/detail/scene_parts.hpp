@@ -58,6 +58,10 @@ void read_value(const scaling::JsonReader& json, Value& value) {
     value = json.as<Value>();
 }
 void read_value(const scaling::JsonReader& json, TilingSettings& tiling);
+void read_value(const scaling::JsonReader& json, std::vector<WallOpening>& openings);
+void read_value(const scaling::JsonReader& json, WallLintel& lintel);
+void read_value(const scaling::JsonReader& json, WallLeaves& leaves);
+void read_value(const scaling::JsonReader& json, WallReturns& returns);
 void read_value(const scaling::JsonReader& json, std::array<double, 4>& quaternion);
 void read_value(const scaling::JsonReader& json, records::SampleQuantity& quantity);
 void read_value(const scaling::JsonReader& json, records::ColumnChoices& columns);
