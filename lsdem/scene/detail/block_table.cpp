@@ -17,33 +17,33 @@ namespace musim::lsdem::detail {
 namespace {
 
 /// Contents of cells: lengths, an angle, a density, plain numbers, texts, truths.
-enum class Cell { length, angle, density, number, text, truth };
+enum class CellKind { length, angle, density, number, text, truth };
 
 struct Column {
     const char* name;
-    Cell cell;
+    CellKind cell;
     const char* key;  ///< of an entry
     int index;        ///< in the list there; -1: it is no list
 };
 
-constexpr std::array kColumns{Column{"shape", Cell::text, "shape", -1},
-                              Column{"size_x", Cell::length, "size", 0},
-                              Column{"size_y", Cell::length, "size", 1},
-                              Column{"size_z", Cell::length, "size", 2},
-                              Column{"x", Cell::length, "position", 0},
-                              Column{"y", Cell::length, "position", 1},
-                              Column{"z", Cell::length, "position", 2},
-                              Column{"qw", Cell::number, "quaternion", 0},
-                              Column{"qx", Cell::number, "quaternion", 1},
-                              Column{"qy", Cell::number, "quaternion", 2},
-                              Column{"qz", Cell::number, "quaternion", 3},
-                              Column{"turn", Cell::angle, "quaternion", -1},
-                              Column{"material", Cell::text, "material", -1},
-                              Column{"density", Cell::density, "density", -1},
-                              Column{"fixed", Cell::truth, "fixed", -1},
-                              Column{"with_base", Cell::truth, "with_base", -1},
-                              Column{"rotation_locked", Cell::truth, "rotation_locked", -1},
-                              Column{"name", Cell::text, "name", -1}};
+constexpr std::array kColumns{Column{"shape", CellKind::text, "shape", -1},
+                              Column{"size_x", CellKind::length, "size", 0},
+                              Column{"size_y", CellKind::length, "size", 1},
+                              Column{"size_z", CellKind::length, "size", 2},
+                              Column{"x", CellKind::length, "position", 0},
+                              Column{"y", CellKind::length, "position", 1},
+                              Column{"z", CellKind::length, "position", 2},
+                              Column{"qw", CellKind::number, "quaternion", 0},
+                              Column{"qx", CellKind::number, "quaternion", 1},
+                              Column{"qy", CellKind::number, "quaternion", 2},
+                              Column{"qz", CellKind::number, "quaternion", 3},
+                              Column{"turn", CellKind::angle, "quaternion", -1},
+                              Column{"material", CellKind::text, "material", -1},
+                              Column{"density", CellKind::density, "density", -1},
+                              Column{"fixed", CellKind::truth, "fixed", -1},
+                              Column{"with_base", CellKind::truth, "with_base", -1},
+                              Column{"rotation_locked", CellKind::truth, "rotation_locked", -1},
+                              Column{"name", CellKind::text, "name", -1}};
 
 /// A column of a file: what it is, and its unit.
 struct Heading {
@@ -133,15 +133,15 @@ class TableReader {
     }
 
     void find_unit(Heading& heading) const {
-        const Cell cell = heading.column->cell;
-        if (cell == Cell::length && heading.unit.empty()) heading.unit = unit_.value_or("");
-        const bool wants = cell == Cell::length || cell == Cell::angle || cell == Cell::density;
+        const CellKind cell = heading.column->cell;
+        if (cell == CellKind::length && heading.unit.empty()) heading.unit = unit_.value_or("");
+        const bool wants = cell == CellKind::length || cell == CellKind::angle || cell == CellKind::density;
         if (wants && heading.unit.empty()) {
             fail(fmt::format("column \"{}\" has no unit; write it in brackets, \"{} [{}]\"{}", heading.column->name, heading.column->name,
-                             cell == Cell::length  ? "m"
-                             : cell == Cell::angle ? "deg"
-                                                   : "kg/m^3",
-                             cell == Cell::length ? ", or give the structure a \"unit\"" : ""));
+                             cell == CellKind::length  ? "m"
+                             : cell == CellKind::angle ? "deg"
+                                                       : "kg/m^3",
+                             cell == CellKind::length ? ", or give the structure a \"unit\"" : ""));
         }
         if (!wants && !heading.unit.empty()) fail(fmt::format("column \"{}\" has no unit; leave the brackets out", heading.column->name));
     }
@@ -169,19 +169,19 @@ class TableReader {
     Json read_cell(std::size_t column, const std::string& cell) const {
         const Heading& heading = headings_[column];
         switch (heading.column->cell) {
-            case Cell::text:
+            case CellKind::text:
                 return cell;
-            case Cell::number:
+            case CellKind::number:
                 return read_number(column, cell);
-            case Cell::truth:
+            case CellKind::truth:
                 if (cell == "true" || cell == "1") return true;
                 if (cell == "false" || cell == "0") return false;
                 fail(column, fmt::format("\"{}\" is neither true nor false; correct the cell", cell));
-            case Cell::length:
-            case Cell::density:
+            case CellKind::length:
+            case CellKind::density:
                 read_number(column, cell);
                 return cell + " " + heading.unit;
-            case Cell::angle:
+            case CellKind::angle:
                 break;
         }
         read_number(column, cell);
