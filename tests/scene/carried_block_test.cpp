@@ -16,27 +16,28 @@ namespace {
 
 const std::string kShaken =
     R"(, "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.9 g", "frequency": "8 Hz", "cycles": 2})";
-const std::string kBox = R"({"size": ["0.1 m", "0.1 m", "0.1 m"], "position": [0, 0, )";
+const std::string kCarriedBox = R"({"size": ["0.1 m", "0.1 m", "0.1 m"], "position": [0, 0, )";
 
 /// Of one stiffness per area, whatever the first block.
-const std::string kMaterial = R"({"preset": "wood", "normal_stiffness_per_area": "10 GPa/m", "shear_stiffness_per_area": "5 GPa/m"})";
+const std::string kCarriedMaterial =
+    R"({"preset": "wood", "normal_stiffness_per_area": "10 GPa/m", "shear_stiffness_per_area": "5 GPa/m"})";
 constexpr double kStep = 5e-6;  // [s]
 
 Simulation start(const std::string& blocks) {
     const Scene scene =
-        parse_scene(R"({"schema": "musim-scene/1", "material": )" + kMaterial + R"(, "structure": {"kind": "blocks", "blocks": [)" +
+        parse_scene(R"({"schema": "musim-scene/1", "material": )" + kCarriedMaterial + R"(, "structure": {"kind": "blocks", "blocks": [)" +
                     blocks + "]}" + kShaken + R"(, "time": {"duration": "1 s"}})");
     return Simulation(make_model(scene), kStep);
 }
 
 Simulation start_on_plate(const std::string& held = R"("with_base": true)") {
-    return start(R"({"size": ["0.3 m", "0.3 m", "0.1 m"], "position": [0, 0, "0.05 m"], )" + held + "}, " + kBox + "\"0.15 m\"]}");
+    return start(R"({"size": ["0.3 m", "0.3 m", "0.1 m"], "position": [0, 0, "0.05 m"], )" + held + "}, " + kCarriedBox + "\"0.15 m\"]}");
 }
 
 }  // namespace
 
 TEST_CASE("a box slides on a plate that moves with the base as on the ground") {
-    Simulation plate = start_on_plate(), ground = start(kBox + "\"0.05 m\"]}");
+    Simulation plate = start_on_plate(), ground = start(kCarriedBox + "\"0.05 m\"]}");
     const auto steps = static_cast<std::uint64_t>(0.0625 / kStep);
     const double balance = plate.energy().balance();
     plate.advance(steps);

@@ -21,7 +21,7 @@ using musim::lsdem::tests::relative;
 namespace {
 
 // blocks of b = 0.2 m, w = 0.4 m, H = 0.2 m with joints of 2 mm: 2.008 m from face to face, 1.6 m high
-constexpr double kThick = 0.2, kLong = 0.4, kHigh = 0.2, kPitch = 0.201, kJoint = 0.002;
+constexpr double kWallThick = 0.2, kWallLong = 0.4, kWallHigh = 0.2, kWallPitch = 0.201, kWallJoint = 0.002;
 constexpr int kPerCourse = 5, kCourses = 8;
 
 /// A wall of such blocks with further keys, as JSON text.
@@ -31,7 +31,7 @@ std::string wall_text(const std::string& more) {
 
 Scene wall_scene(const std::string& more, const std::string& around = "") { return parse_scene(make_scene_text(wall_text(more), around)); }
 
-std::string refuse(const std::string& more) {
+std::string refuse_wall(const std::string& more) {
     return error_of([&] { wall_scene(more); });
 }
 
@@ -47,8 +47,8 @@ double volume_of(const Model& model) {
 
 /// Volume of a plain wall of these blocks: odd courses of n whole ones, even ones of n − 1 and two halves of w − p.
 double plain_volume(int layers, int blocks) {
-    const double odd = blocks * kLong, even = (blocks - 1) * kLong + 2.0 * (kLong - kPitch);
-    return kThick * kHigh * (((layers + 1) / 2) * odd + (layers / 2) * even);
+    const double odd = blocks * kWallLong, even = (blocks - 1) * kWallLong + 2.0 * (kWallLong - kWallPitch);
+    return kWallThick * kWallHigh * (((layers + 1) / 2) * odd + (layers / 2) * even);
 }
 
 /// A box along the world's axes.
@@ -106,22 +106,22 @@ TEST_CASE("an opening at borders of the bond leaves half blocks at its jambs, an
     // whole block and half of two, which stay as half blocks. In course 6 the lintel goes from cell 1 to 7 of 10: where a half block ends
     // to where a whole one does, so that it takes the place of three
     CHECK(model.blocks.size() == 4U * 5 + 4 * 6 - 2 * 2 - 1 - 3 + 1);
-    const double wall = plain_volume(kCourses, kPerCourse), course = kThick * kHigh;
-    const double hole = course * (2 * 2 * kLong + kLong + 2 * (kLong - (kLong - kPitch)));
+    const double wall = plain_volume(kCourses, kPerCourse), course = kWallThick * kWallHigh;
+    const double hole = course * (2 * 2 * kWallLong + kWallLong + 2 * (kWallLong - (kWallLong - kWallPitch)));
     // it fills its two joints
-    const double lintel = course * 2.0 * kJoint;
+    const double lintel = course * 2.0 * kWallJoint;
     CHECK(volume_of(model) == relative(wall - hole + lintel, 1e-12));
     CHECK(model.shapes.size() == 3);  // whole, half, lintel
     const auto longest = std::max_element(model.blocks.begin(), model.blocks.end(), [&](const Block& a, const Block& b) {
         return half_extents(model, a).y() < half_extents(model, b).y();
     });
-    CHECK(2.0 * half_extents(model, *longest).y() == relative(0.806 + 2.0 * (kLong - kPitch), 1e-12));
+    CHECK(2.0 * half_extents(model, *longest).y() == relative(0.806 + 2.0 * (kWallLong - kWallPitch), 1e-12));
     const auto index = static_cast<std::size_t>(longest - model.blocks.begin());
     CHECK(built.structure.layer[index] == 6);
     // the left face of the wall is at −5p + g/2; the lintel begins half a block before the jamb
-    const double jamb = -5.0 * kPitch + 0.5 * kJoint + 0.4;
-    CHECK(extents_of(model)[index].low.x() == relative(jamb - (kLong - kPitch), 1e-12));
-    CHECK(least_joint(model, built.structure.layer) == relative(kJoint, 1e-9));
+    const double jamb = -5.0 * kWallPitch + 0.5 * kWallJoint + 0.4;
+    CHECK(extents_of(model)[index].low.x() == relative(jamb - (kWallLong - kWallPitch), 1e-12));
+    CHECK(least_joint(model, built.structure.layer) == relative(kWallJoint, 1e-9));
     // nothing hangs: the lintel bears on two half blocks and all else on the course below
     for (const double part : borne_parts(model, built.structure.layer)) CHECK(part > 0.3);
 }
@@ -133,16 +133,16 @@ TEST_CASE("blocks are cut at jambs anywhere, and of a sliver the neighbour takes
         const std::string text = fmt::format(
             R"(, "openings": [{{"from": {}, "width": "0.7 m", "sill": 1, "courses": 4}}], "lintel": {{"bearing": "0.15 m"}})", from);
         const BuiltModel built = build_model(wall_scene(text));
-        const double left = -5.0 * kPitch + 0.5 * kJoint;
+        const double left = -5.0 * kWallPitch + 0.5 * kWallJoint;
         const std::vector<Extent> boxes = extents_of(built.model);
         std::vector<double> length(static_cast<std::size_t>(kCourses) + 1, 0.0), count(length.size(), 0.0);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const auto layer = static_cast<std::size_t>(built.structure.layer[i]);
             const double size = boxes[i].high.x() - boxes[i].low.x();
             length[layer] += size, count[layer] += 1.0;
-            CHECK(size > (0.25 - 1e-6) * kLong);
+            CHECK(size > (0.25 - 1e-6) * kWallLong);
             if (size > 1.0 - 1e-9) continue;  // the lintel
-            CHECK(size < (1.25 + 1e-6) * kLong + kJoint);
+            CHECK(size < (1.25 + 1e-6) * kWallLong + kWallJoint);
             // the hole is clear
             const bool beside = boxes[i].high.x() < left + from + 1e-9 || boxes[i].low.x() > left + from + 0.7 - 1e-9;
             CHECK((layer == 1 || layer > 5 || beside));
@@ -150,8 +150,8 @@ TEST_CASE("blocks are cut at jambs anywhere, and of a sliver the neighbour takes
         for (std::size_t layer = 1; layer < length.size(); ++layer) {
             const bool open = layer >= 2 && layer <= 5;
             // from end to end less the hole, whose jambs are faces, and one joint between every two blocks
-            const double joints = (count[layer] - (open ? 2.0 : 1.0)) * kJoint;
-            CHECK(length[layer] + joints == relative(10.0 * kPitch - kJoint - (open ? 0.7 : 0.0), 1e-9));
+            const double joints = (count[layer] - (open ? 2.0 : 1.0)) * kWallJoint;
+            CHECK(length[layer] + joints == relative(10.0 * kWallPitch - kWallJoint - (open ? 0.7 : 0.0), 1e-9));
         }
         for (const double part : borne_parts(built.model, built.structure.layer)) CHECK(part > 0.2);
     }
@@ -192,15 +192,15 @@ TEST_CASE("two leaves are two walls, tied by courses that go through both") {
     }
     // a header over both leaves and the gap bears by four fifths at least of where it lies on the wall; at the window by half of that
     for (const double part : borne_parts(tied.model, tied.structure.layer)) CHECK(part > 0.24);
-    CHECK(least_joint(tied.model, tied.structure.layer) == relative(kJoint, 1e-9));
+    CHECK(least_joint(tied.model, tied.structure.layer) == relative(kWallJoint, 1e-9));
 }
 
 TEST_CASE("a corner is interlocked: courses run through it in turn") {
     const BuiltModel built = build_model(wall_scene(R"(, "returns": {"left": 2, "right": 3})"));
     const Model& model = built.model;
-    CHECK(least_joint(model, built.structure.layer) == relative(kJoint, 1e-9));
+    CHECK(least_joint(model, built.structure.layer) == relative(kWallJoint, 1e-9));
     const std::vector<Extent> boxes = extents_of(model);
-    const double right = 5.0 * kPitch - 0.5 * kJoint, outer = -0.5 * kThick;
+    const double right = 5.0 * kWallPitch - 0.5 * kWallJoint, outer = -0.5 * kWallThick;
     for (int course = 1; course <= kCourses; ++course) {
         // the block that holds the corner
         std::size_t holders = 0;
@@ -212,10 +212,10 @@ TEST_CASE("a corner is interlocked: courses run through it in turn") {
             if (!holds) continue;
             ++holders;
             const Vector3 size = boxes[i].high - boxes[i].low;
-            CHECK((course % 2 == 1 ? size.x() : size.y()) == relative(kLong, 1e-12));
+            CHECK((course % 2 == 1 ? size.x() : size.y()) == relative(kWallLong, 1e-12));
         }
         CHECK(holders == 1);
-        CHECK(farthest == relative(outer + 6.0 * kPitch - kJoint, 1e-12));
+        CHECK(farthest == relative(outer + 6.0 * kWallPitch - kWallJoint, 1e-12));
     }
     // each course covers the same ground but for its joints
     for (const double part : borne_parts(model, built.structure.layer)) CHECK(part > 0.97);
@@ -247,28 +247,32 @@ TEST_CASE("a wall with all of it is written, read back and scaled, bit for bit a
 
 TEST_CASE("openings, lintels, leaves and corners that do not fit are refused with what to do") {
     const auto opening = [](const std::string& keys) { return R"(, "openings": [{)" + keys + "}]"; };
-    check_message(refuse(opening(R"("from": "0.4 m", "width": "0.8 m", "sill": 6, "courses": 3)")),
+    check_message(refuse_wall(opening(R"("from": "0.4 m", "width": "0.8 m", "sill": 6, "courses": 3)")),
                   {"/structure/openings/0/courses: 3 courses above a sill of 6 reach beyond the 8 of the wall", "make it lower"});
-    check_message(refuse(opening(R"("from": "1.5 m", "width": "0.8 m", "sill": 2, "courses": 3)")),
+    check_message(refuse_wall(opening(R"("from": "1.5 m", "width": "0.8 m", "sill": 2, "courses": 3)")),
                   {"/structure/openings/0: it reaches beyond the wall in course 3 (which goes from 0 m to 2.008 m there)"});
-    check_message(refuse(opening(R"("from": "0.1 m", "width": "0.8 m", "sill": 2, "courses": 3)")),
+    check_message(refuse_wall(opening(R"("from": "0.1 m", "width": "0.8 m", "sill": 2, "courses": 3)")),
                   {"/structure/openings/0: its lintel reaches beyond the wall in course 6"});
-    check_message(refuse(opening(R"("from": "0.4 m", "width": "0.4 m", "courses": 3}, {"from": "0.7 m", "width": "0.4 m", "courses": 3)")),
-                  {"/structure/openings/1: it meets opening 0 in course 1", "move them apart"});
-    check_message(refuse(opening(R"("from": "0.4 m", "width": "0.4 m", "courses": 3}, {"from": "1 m", "width": "0.4 m", "courses": 3)")),
-                  {"/structure/openings/1: it meets opening 0 in course 4 (lintels count with their bearing)"});
     check_message(
-        refuse(opening(R"("from": "0.05 m", "width": "0.8 m", "sill": 2, "courses": 3)") + R"(, "lintel": {"bearing": "0.04 m"})"),
+        refuse_wall(opening(R"("from": "0.4 m", "width": "0.4 m", "courses": 3}, {"from": "0.7 m", "width": "0.4 m", "courses": 3)")),
+        {"/structure/openings/1: it meets opening 0 in course 1", "move them apart"});
+    check_message(
+        refuse_wall(opening(R"("from": "0.4 m", "width": "0.4 m", "courses": 3}, {"from": "1 m", "width": "0.4 m", "courses": 3)")),
+        {"/structure/openings/1: it meets opening 0 in course 4 (lintels count with their bearing)"});
+    check_message(
+        refuse_wall(opening(R"("from": "0.05 m", "width": "0.8 m", "sill": 2, "courses": 3)") + R"(, "lintel": {"bearing": "0.04 m"})"),
         {"/structure/openings: in course 3 a piece of 50 mm is left by itself", "a quarter of a block, 100 mm"});
-    check_message(refuse(opening(R"("from": "0.4 m", "width": "0.8 m", "sill": -1, "courses": 3)")),
+    check_message(refuse_wall(opening(R"("from": "0.4 m", "width": "0.8 m", "sill": -1, "courses": 3)")),
                   {"/structure/openings/0/sill: -1 (must be from 0 to"});
-    check_message(refuse(opening(R"("from": "0.4 m", "width": "0.8 m", "sill": 1, "courses": 0)")), {"/structure/openings/0/courses: 0"});
-    check_message(refuse(opening(R"("from": "0.4 m", "width": "0 m", "courses": 1)")), {"/structure/openings/0/width: 0 m"});
-    check_message(refuse(opening(R"("from": "0.4 m", "courses": 1)")), {"/structure/openings/0", "\"width\""});
-    check_message(refuse(R"(, "openings": {"from": 1})"), {"/structure/openings: a list"});
-    check_message(refuse(R"(, "lintel": {"bearing": "0.1 m"})"), {"/structure/lintel: there is no opening to cross"});
-    check_message(refuse(kWindow + R"(, "lintel": {"material": "gold"})"), {"/structure/lintel/material", "gold"});
-    check_message(refuse(R"(, "leaves": {"gap": "-1 mm"})"), {"/structure/leaves/gap: -1 mm (must not be negative)"});
-    check_message(refuse(R"(, "leaves": {"gap": "1 m"}, "returns": {"right": 2})"), {"/structure/returns/right: too short for a corner"});
-    check_message(refuse(R"(, "returns": {"right": -2})"), {"/structure/returns/right: -2 (must be from 0 to"});
+    check_message(refuse_wall(opening(R"("from": "0.4 m", "width": "0.8 m", "sill": 1, "courses": 0)")),
+                  {"/structure/openings/0/courses: 0"});
+    check_message(refuse_wall(opening(R"("from": "0.4 m", "width": "0 m", "courses": 1)")), {"/structure/openings/0/width: 0 m"});
+    check_message(refuse_wall(opening(R"("from": "0.4 m", "courses": 1)")), {"/structure/openings/0", "\"width\""});
+    check_message(refuse_wall(R"(, "openings": {"from": 1})"), {"/structure/openings: a list"});
+    check_message(refuse_wall(R"(, "lintel": {"bearing": "0.1 m"})"), {"/structure/lintel: there is no opening to cross"});
+    check_message(refuse_wall(kWindow + R"(, "lintel": {"material": "gold"})"), {"/structure/lintel/material", "gold"});
+    check_message(refuse_wall(R"(, "leaves": {"gap": "-1 mm"})"), {"/structure/leaves/gap: -1 mm (must not be negative)"});
+    check_message(refuse_wall(R"(, "leaves": {"gap": "1 m"}, "returns": {"right": 2})"),
+                  {"/structure/returns/right: too short for a corner"});
+    check_message(refuse_wall(R"(, "returns": {"right": -2})"), {"/structure/returns/right: -2 (must be from 0 to"});
 }

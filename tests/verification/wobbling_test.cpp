@@ -22,7 +22,7 @@ constexpr int kWobbleFlats = 96;
 Model make_wobbling_drum(double rate, double sink) {
     Model model;
     model.numerics.skip_rest = false;
-    model.shapes.push_back(make_solid_shape(make_drum(kWobbleRadius, kWobbleHeight, kWobbleFlats, kWobbleRadius)));
+    model.shapes.push_back(make_solid_shape(musim::lsdem::make_drum(kWobbleRadius, kWobbleHeight, kWobbleFlats, kWobbleRadius)));
     REQUIRE(model.shapes[0].own.rotation == Matrix3::Identity());
     const double mass = 2500.0 * model.shapes[0].volume;
     const double stiffness = mass * kGravity / (kWobbleRadius * kWobbleRadius * sink * kWobbleRadius);

@@ -19,35 +19,35 @@ namespace {
 /// Contents of cells: lengths, an angle, a density, plain numbers, texts, truths.
 enum class CellKind { length, angle, density, number, text, truth };
 
-struct Column {
+struct TableColumn {
     const char* name;
     CellKind cell;
     const char* key;  ///< of an entry
     int index;        ///< in the list there; -1: it is no list
 };
 
-constexpr std::array kColumns{Column{"shape", CellKind::text, "shape", -1},
-                              Column{"size_x", CellKind::length, "size", 0},
-                              Column{"size_y", CellKind::length, "size", 1},
-                              Column{"size_z", CellKind::length, "size", 2},
-                              Column{"x", CellKind::length, "position", 0},
-                              Column{"y", CellKind::length, "position", 1},
-                              Column{"z", CellKind::length, "position", 2},
-                              Column{"qw", CellKind::number, "quaternion", 0},
-                              Column{"qx", CellKind::number, "quaternion", 1},
-                              Column{"qy", CellKind::number, "quaternion", 2},
-                              Column{"qz", CellKind::number, "quaternion", 3},
-                              Column{"turn", CellKind::angle, "quaternion", -1},
-                              Column{"material", CellKind::text, "material", -1},
-                              Column{"density", CellKind::density, "density", -1},
-                              Column{"fixed", CellKind::truth, "fixed", -1},
-                              Column{"with_base", CellKind::truth, "with_base", -1},
-                              Column{"rotation_locked", CellKind::truth, "rotation_locked", -1},
-                              Column{"name", CellKind::text, "name", -1}};
+constexpr std::array kTableColumns{TableColumn{"shape", CellKind::text, "shape", -1},
+                                   TableColumn{"size_x", CellKind::length, "size", 0},
+                                   TableColumn{"size_y", CellKind::length, "size", 1},
+                                   TableColumn{"size_z", CellKind::length, "size", 2},
+                                   TableColumn{"x", CellKind::length, "position", 0},
+                                   TableColumn{"y", CellKind::length, "position", 1},
+                                   TableColumn{"z", CellKind::length, "position", 2},
+                                   TableColumn{"qw", CellKind::number, "quaternion", 0},
+                                   TableColumn{"qx", CellKind::number, "quaternion", 1},
+                                   TableColumn{"qy", CellKind::number, "quaternion", 2},
+                                   TableColumn{"qz", CellKind::number, "quaternion", 3},
+                                   TableColumn{"turn", CellKind::angle, "quaternion", -1},
+                                   TableColumn{"material", CellKind::text, "material", -1},
+                                   TableColumn{"density", CellKind::density, "density", -1},
+                                   TableColumn{"fixed", CellKind::truth, "fixed", -1},
+                                   TableColumn{"with_base", CellKind::truth, "with_base", -1},
+                                   TableColumn{"rotation_locked", CellKind::truth, "rotation_locked", -1},
+                                   TableColumn{"name", CellKind::text, "name", -1}};
 
 /// A column of a file: what it is, and its unit.
 struct Heading {
-    const Column* column = nullptr;
+    const TableColumn* column = nullptr;
     std::string unit;
 };
 
@@ -112,13 +112,14 @@ class TableReader {
             if (line.find(c) != std::string::npos) separator_ = c;
         }
         std::vector<std::string> names;
-        for (const Column& column : kColumns) names.emplace_back(column.name);
+        for (const TableColumn& column : kTableColumns) names.emplace_back(column.name);
         const std::vector<std::string> cells = split(line);
         for (const std::string& cell : cells) {
             const std::size_t bracket = cell.find('[');
             const std::string name = trim(std::string_view(cell).substr(0, bracket));
-            const auto found = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& column) { return column.name == name; });
-            if (found == kColumns.end()) fail(fmt::format("column \"{}\" is not known; {}", name, scaling::suggest_name(name, names)));
+            const auto found =
+                std::find_if(kTableColumns.begin(), kTableColumns.end(), [&](const TableColumn& column) { return column.name == name; });
+            if (found == kTableColumns.end()) fail(fmt::format("column \"{}\" is not known; {}", name, scaling::suggest_name(name, names)));
             const auto is_it = [&](const Heading& heading) { return heading.column == &*found; };
             if (std::any_of(headings_.begin(), headings_.end(), is_it)) fail(fmt::format("column \"{}\" is there twice; keep one", name));
             Heading& heading = headings_.emplace_back();
@@ -204,7 +205,7 @@ class TableReader {
         std::map<std::string, std::size_t> filled;
         for (std::size_t k = 0; k < cells.size(); ++k) {
             if (cells[k].empty()) continue;
-            const Column& column = *headings_[k].column;
+            const TableColumn& column = *headings_[k].column;
             const Json value = read_cell(k, cells[k]);
             if (column.index < 0) {
                 entry[column.key] = value;
@@ -214,7 +215,7 @@ class TableReader {
             entry[column.key][static_cast<std::size_t>(column.index)] = value;
         }
         for (std::size_t k = 0; k < cells.size(); ++k) {
-            const Column& column = *headings_[k].column;
+            const TableColumn& column = *headings_[k].column;
             if (column.index < 0 || !cells[k].empty()) continue;
             const auto others = filled.find(column.key);
             if (others != filled.end() || std::string_view(column.key) == "position") fail(k, "the cell is empty; fill it");

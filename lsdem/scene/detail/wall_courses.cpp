@@ -21,7 +21,7 @@ constexpr double kSame = 1e-9;
 /// Least length of a block that is cut, as a part of a whole one [-].
 constexpr double kLeastBlock = 0.25;
 
-std::string describe(double meters) { return scaling::format_quantity(Length::from_value(meters), 4); }
+std::string write_wall_length(double meters) { return scaling::format_quantity(Length::from_value(meters), 4); }
 
 /// Part of a course, from joint to joint [cells].
 struct Span {
@@ -140,8 +140,8 @@ class WallLayer {
             if (taken.from < run.from - kSame || taken.to > run.to + kSame) {
                 fail(here,
                      fmt::format("{} reaches beyond the wall in course {} (which goes from {} to {} there); move it or make it shorter",
-                                 taken.is_lintel ? "its lintel" : "it", course, describe(from_left(run.from)),
-                                 describe(from_left(run.to) - measures_.joint)));
+                                 taken.is_lintel ? "its lintel" : "it", course, write_wall_length(from_left(run.from)),
+                                 write_wall_length(from_left(run.to) - measures_.joint)));
             }
             for (std::size_t other = 0; other < k; ++other) {
                 const std::optional<Span> there = openings_[other].find(course);
@@ -156,7 +156,8 @@ class WallLayer {
     void check_returns() const {
         const auto check = [&](double left, const JsonPlace& here) {
             if (2.0 * kLeastBlock <= left + kSame) return;
-            fail(here, fmt::format("too short for a corner (which takes {} of a length); add blocks", describe(measures_.thickness)));
+            fail(here,
+                 fmt::format("too short for a corner (which takes {} of a length); add blocks", write_wall_length(measures_.thickness)));
         };
         const auto& [left, right] = returns_;
         if (left > 0 || right > 0) check(find_run(2).length(), place_.at("blocks_per_layer"));
@@ -223,7 +224,8 @@ class WallLayer {
                 fail(place_.at("openings"),
                      fmt::format("in course {} a piece of {} is left by itself (less than a quarter of a block, {}); move an opening, or "
                                  "change the \"bearing\" of the lintels",
-                                 course, describe(measures_.length_of(spans[k])), describe(kLeastBlock * measures_.block)));
+                                 course, write_wall_length(measures_.length_of(spans[k])),
+                                 write_wall_length(kLeastBlock * measures_.block)));
             }
         }
     }
