@@ -18,7 +18,7 @@ const std::string kShaken =
     R"(, "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.9 g", "frequency": "8 Hz", "cycles": 2})";
 const std::string kCarriedBox = R"({"size": ["0.1 m", "0.1 m", "0.1 m"], "position": [0, 0, )";
 
-/// Of one stiffness per area, whatever the first block.
+/// Wood of one stiffness per area, whatever the first block.
 const std::string kCarriedMaterial =
     R"({"preset": "wood", "normal_stiffness_per_area": "10 GPa/m", "shear_stiffness_per_area": "5 GPa/m"})";
 constexpr double kStep = 5e-6;  // [s]

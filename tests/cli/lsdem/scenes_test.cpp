@@ -185,7 +185,7 @@ TEST_CASE("what is wrong with a scene begins with its file and place in every co
     for (const Case& wrong : {Case{"run deep.json", "deep.json: "}, Case{"pair deep.json --length 1/4", "deep.json: "},
                               Case{"sequence b.json -o out", "b.json: has no list of motions"},
                               Case{"ensemble b.json -o out", "b.json: all members would be the same"},
-                              Case{"specimen b.json -o out", "b.json: specimens are made of columns"},
+                              Case{"specimen b.json -o out", "b.json: specimens differ by the heights of a column"},
                               Case{"run b.json --duration 1e18", "b.json: 1e+18 s in steps of"}}) {
         CAPTURE(wrong.arguments);
         const Outcome outcome = here.run(wrong.arguments);
