@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace musim::lsdem {
 namespace {
 
 /// Bodies of no more faces than this cut a face of another by those that have a corner of it outside. Affects speed only.
 constexpr std::size_t kFewFaces = 8;
+
+/// Depth below a plane that counts as rounding, over the largest distance of a plane from the origin of the pair [-].
+constexpr double kRoundingDepth = 0x1p-46;
 
 }  // namespace
 
@@ -16,6 +20,11 @@ void OverlapPieces::Sides::find(const PlacedPiece& corners, const PlacedPiece& p
     outside.resize(words * planes.face_count);
     std::array<double, detail::Points::kWord> at;
     all_outside = false;
+    const bool marks_shallow = planes.face_count > kFewFaces;
+    shallow.resize(marks_shallow ? outside.size() : 0);
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < planes.face_count; ++k) farthest = std::max(farthest, std::abs(planes.offset[k]));
+    const double rounding = kRoundingDepth * farthest;
     for (std::size_t k = 0; k < planes.face_count && !all_outside; ++k) {
         const detail::Affine depth = detail::depth_below({planes.normal[k], planes.offset[k]});
         bool all = true;
@@ -24,6 +33,10 @@ void OverlapPieces::Sides::find(const PlacedPiece& corners, const PlacedPiece& p
                 detail::Points::low_bits(std::min(corners.corner_count - w * detail::Points::kWord, detail::Points::kWord));
             const std::uint64_t out = ~corners.corner.evaluate(depth, w, false, at.data()) & marked;
             outside[k * words + w] = out;
+            if (marks_shallow) {
+                const detail::Affine deeper{depth.at - rounding, depth.slope};
+                shallow[k * words + w] = ~corners.corner.evaluate(deeper, w, false, at.data()) & marked;
+            }
             all = all && out == marked;
         }
         // a half space has more than the corners of its sheet
@@ -40,6 +53,8 @@ void OverlapPieces::cut_face(const PlacedPiece& x, std::size_t f, const PlacedPi
         const Sides::Share share = of_x.share(k, *x.form, f);
         if (share == Sides::Share::all) return;
         if (share == Sides::Share::some) cuts_.push_back(k);
+        // sides that are flush push each other by rounding times a strip
+        if (of_x.is_shallow(k, *x.form, f) && x.normal[f].dot(y.normal[k]) > 0.0) return;
     }
     if (y.face_count > kFewFaces) {
         // the plane of the face cuts y along those faces of y that it passes through

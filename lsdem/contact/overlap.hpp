@@ -46,14 +46,22 @@ class OverlapPieces {
     struct Sides {
         enum class Share { none, some, all };
         std::vector<std::uint64_t> outside;  ///< corners, one bit each in `words` words a plane
+        std::vector<std::uint64_t> shallow;  ///< likewise those outside or inside by rounding only; empty of few planes
         std::size_t words = 0;
         bool all_outside = false;  ///< all corners lie outside one plane: the pieces are apart
 
         void find(const PlacedPiece& corners, const PlacedPiece& planes);
         /// Share of the corners of a face that lie outside a plane.
-        Share share(std::size_t plane, const Polyhedron& form, std::size_t face) const {
-            if (words == 1) return share_of(outside[plane] & form.marks[face], ~outside[plane] & form.marks[face]);
-            const std::uint64_t* const out = &outside[plane * words];
+        Share share(std::size_t plane, const Polyhedron& form, std::size_t face) const { return share(outside, plane, form, face); }
+        /// Are all of them no deeper below it than rounding?
+        bool is_shallow(std::size_t plane, const Polyhedron& form, std::size_t face) const {
+            return !shallow.empty() && share(shallow, plane, form, face) == Share::all;
+        }
+
+      private:
+        Share share(const std::vector<std::uint64_t>& marked, std::size_t plane, const Polyhedron& form, std::size_t face) const {
+            if (words == 1) return share_of(marked[plane] & form.marks[face], ~marked[plane] & form.marks[face]);
+            const std::uint64_t* const out = &marked[plane * words];
             const std::uint64_t* const of = &form.marks[face * words];
             std::uint64_t any = 0, missing = 0;
             for (std::size_t w = 0; w < words; ++w) any |= out[w] & of[w], missing |= ~out[w] & of[w];
