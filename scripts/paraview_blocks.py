@@ -1,7 +1,7 @@
 """Shows the blocks of a run in ParaView 5.9 or later in the colour of their velocity along x: true shapes, or oriented boxes.
 
 In the program:  MUSIM_RESULTS=out/tower paraview --script=/usr/share/musim/paraview_blocks.py
-As a picture:    pvpython /usr/share/musim/paraview_blocks.py out/tower picture.png [TIME]   (without a display: xvfb-run pvpython ...)
+As a picture:    pvpython /usr/share/musim/paraview_blocks.py out/tower picture.png [TIME]   (without a display: xvfb-run -s -noreset pvpython ...)
 By hand: open result.xdmf with the "XDMF Reader" (not Xdmf3). Blocks of any shape are surfaces, shown as they are. Where all are boxes they are
 points: representation "3D Glyphs", glyph type Box, orientation mode Quaternion by "quaternion", scale mode Vector Components by "size [m]",
 scale factor 1.

@@ -1,8 +1,9 @@
 """ParaView reads result.xdmf: times, places, sizes, turns and velocities of all blocks, with units in their names; surfaces of blocks of other
 shapes; scripts/paraview_blocks.py makes a picture of it.
 
-usage: paraview_test.py MUSIM. Exit code 77: skipped, since there is no ParaView, or neither a display nor xvfb-run to draw without one.
+usage: paraview_test.py MUSIM. Exit code 77: skipped, since there is no ParaView, or neither a display nor Xvfb to draw without one.
 """
+import contextlib
 import csv
 import json
 import os
@@ -16,11 +17,10 @@ SKIPPED = 77
 if shutil.which("pvpython") is None:
     print("skipped: there is no pvpython (Debian: paraview, python3-paraview)")
     sys.exit(SKIPPED)
-HAS_DISPLAY = bool(os.environ.get("DISPLAY"))
-if not HAS_DISPLAY and shutil.which("xvfb-run") is None:
-    print("skipped: pictures of ParaView need a display or xvfb-run (Debian: xvfb, xauth)")
+if not os.environ.get("DISPLAY") and shutil.which("Xvfb") is None:
+    print("skipped: pictures of ParaView need a display or Xvfb (Debian: xvfb)")
     sys.exit(SKIPPED)
-PVPYTHON = ([] if HAS_DISPLAY else ["xvfb-run", "-a"]) + ["pvpython", "--force-offscreen-rendering"]
+PVPYTHON = ["pvpython", "--force-offscreen-rendering"]
 
 SCENE = {
     "schema": "musim-scene/1", "name": "column", "material": "wood",
@@ -71,13 +71,37 @@ print("FRAMES" + json.dumps(frames))
 """
 
 
+@contextlib.contextmanager
+def display():
+    """A display to draw on: the one there is, or one of its own.
+
+    It is ready when it has written its number. By default it begins anew when its last client leaves, and pvpython connects twice.
+    """
+    if os.environ.get("DISPLAY"):
+        yield
+        return
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"], pass_fds=[write],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as numbers:
+        number = numbers.readline().strip()
+    assert number, "Xvfb did not start"
+    os.environ["DISPLAY"] = ":" + number
+    try:
+        yield
+    finally:
+        server.terminate()
+        server.wait()
+
+
 def close(a, b, scale):
     # frames are single precision
     return abs(a - b) <= 2e-7 * scale
 
 
 def main():
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, display():
         place = pathlib.Path(folder)
         (place / "scene.json").write_text(json.dumps(SCENE))
         (place / "read.py").write_text(READ)
