@@ -11,7 +11,8 @@ namespace {
 /// Step between the states of a sequence, 2^64 over the golden ratio [Steele14].
 constexpr std::uint64_t kGoldenStep = 0x9E3779B97F4A7C15ULL;
 
-/// All bits of the result depend on all of the argument: variant 13 of [Steele14].
+/// All bits of the result depend on all of the argument: variant 13 of [Steele14], as in scaling/random_bits.hpp, which the kernel does
+/// not link.
 std::uint64_t mix(std::uint64_t z) {
     z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;

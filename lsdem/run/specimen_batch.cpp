@@ -114,6 +114,9 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     if (batch.scene.preparation && batch.scene.preparation->none) {
         throw SceneError(fmt::format("{}: \"preparation\" is \"none\", so there is no specimen to lay; leave it out", batch.scene.place()));
     }
+    // a scene that is refused leaves no folder
+    std::vector<std::filesystem::path> files;
+    for (const std::uint64_t seed : batch.seeds) files.push_back(batch.folder / specimen_file_of(with_seed(batch.scene, seed)));
     std::error_code error;
     std::filesystem::create_directories(batch.folder, error);
     if (error) {
@@ -121,8 +124,7 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     }
     // all are kept, or refused, before the first is computed
     std::vector<std::optional<detail::FileLock>> locks;
-    for (const std::uint64_t seed : batch.seeds)
-        locks.push_back(keep_missing(batch.folder / specimen_file_of(with_seed(batch.scene, seed))));
+    for (const std::filesystem::path& file : files) locks.push_back(keep_missing(file));
     detail::SharedProgress progress(find_work(locks), batch.on_progress);
     std::vector<SpecimenReport> reports(batch.seeds.size());
     std::vector<std::function<void()>> jobs;

@@ -192,6 +192,7 @@ TEST_CASE("what is wrong with a scene begins with its file and place in every co
         CHECK(outcome.exit_code == 3);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_MESSAGE(outcome.err.starts_with("musim: error: " + wrong.message), outcome.err);
+        CHECK_FALSE(here.has("out"));
     }
 }
 
