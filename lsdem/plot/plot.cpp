@@ -21,6 +21,8 @@ constexpr double kPlotTop = 96.0;
 constexpr double kPlotBottom = 56.0;
 constexpr double kPlotWidth = 812.0;
 constexpr double kRowSpacing = 52.0;
+constexpr double kLabelGap = 9.0;      // from the names of rows to the axis
+constexpr double kBesideYName = 30.0;  // left of them, for the name of the vertical axis
 constexpr double kLegendDash = 44.0;
 
 /// A curve is thinned to its least and greatest value in each of these bins: 2 px, finer than the widest line is thick.
@@ -213,7 +215,13 @@ std::string make_svg(const StackedPlot& plot) {
     const Axis x_axis = make_x_axis(plot);
     const double row_scale = find_row_scale(plot);
 
-    std::string svg = detail::open_svg(width, height, fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label));
+    // names of rows that would reach into that of the axis push all to the right
+    double widest = 0.0;
+    for (const std::string& label : plot.row_labels) widest = std::max(widest, detail::find_text_width(label, detail::kSmallFont));
+    const double pushed = std::ceil(std::max(0.0, widest - (kPlotLeft - kLabelGap - kBesideYName)));
+
+    std::string svg = detail::open_svg(width + pushed, height, fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label));
+    if (pushed > 0.0) svg += fmt::format("<g transform=\"translate({:.0f} 0)\">\n", pushed);
     svg += fmt::format("<clipPath id=\"frame\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
                        kPlotLeft, kPlotTop, kPlotWidth, bottom - kPlotTop);
 
@@ -226,7 +234,7 @@ std::string make_svg(const StackedPlot& plot) {
                        std::nullopt);
     draw_scale_bar(svg, row_scale, find_unit(plot.y_label));
     draw_text(svg, kPlotLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
-    detail::draw_upward_text(svg, 20.0, 0.5 * (kPlotTop + bottom), plot.y_label);
+    detail::draw_upward_text(svg, 20.0 - pushed, 0.5 * (kPlotTop + bottom), plot.y_label);
 
     if (plot.mark) draw_mark(svg, *plot.mark, x_axis, bottom);
 
@@ -250,9 +258,9 @@ std::string make_svg(const StackedPlot& plot) {
     for (std::size_t row = 0; row < plot.row_labels.size(); ++row) {
         const double zero = bottom - (static_cast<double>(row) + 1.0) * kRowSpacing;
         draw_line(svg, kPlotLeft - 5.0, zero, kPlotLeft, zero, "stroke=\"#333\"");
-        draw_text(svg, kPlotLeft - 9.0, zero + 4.0, "end", "class=\"small\"", plot.row_labels[row]);
+        draw_text(svg, kPlotLeft - kLabelGap, zero + 4.0, "end", "class=\"small\"", plot.row_labels[row]);
     }
-    svg += "</svg>\n";
+    svg += pushed > 0.0 ? "</g>\n</svg>\n" : "</svg>\n";
     return svg;
 }
 
