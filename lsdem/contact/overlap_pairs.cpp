@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "lsdem/contact/box_gap.hpp"
-#include "lsdem/contact/face_gap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
+#include "lsdem/solid/outline.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -21,11 +20,7 @@ double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& p
     const Matrix3 to_follower = bodies.pose[f].rotation.transpose();
     const Vector3 position = to_follower * (bodies.pose[l].position - bodies.pose[f].position);
     const Placing place{to_follower * bodies.pose[l].rotation, position};
-    const double of_boxes = detail::find_gap(bodies.pose[l].half, bodies.pose[f].half, place.rotation, place.position);
-    if (!pair.is_exact || of_boxes > 0.0) return of_boxes;
-    const Solid *const leader = bodies.solid[l], *const follower = bodies.solid[f];
-    if (leader == nullptr || follower == nullptr) return of_boxes;
-    return find_gap_of_faces(*follower, *leader, place);
+    return find_clearance({bodies.pose[f].half, bodies.solid[f]}, {bodies.pose[l].half, bodies.solid[l]}, place, 0.0);
 }
 
 /// Memory for the pair that a thread is cutting.

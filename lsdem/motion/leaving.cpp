@@ -1,7 +1,6 @@
 #include "lsdem/motion/leaving.hpp"
 
-#include "lsdem/contact/box_gap.hpp"
-#include "lsdem/contact/face_gap.hpp"
+#include "lsdem/solid/outline.hpp"
 
 namespace musim::lsdem::detail {
 namespace {
@@ -25,12 +24,7 @@ bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& bas
         if (offset.norm() > a.half.norm() + b.half.norm() + gap) continue;
         const Matrix3 to_b = b.rotation.transpose();
         const Placing place{to_b * a.rotation, to_b * offset};
-        const double of_boxes = find_gap(a.half, b.half, place.rotation, place.position);
-        if (of_boxes > gap) continue;
-        if (bodies.solid[i] == nullptr && bodies.solid[j] == nullptr) return false;
-        const Solid own = bodies.solid[i] != nullptr ? *bodies.solid[i] : make_box_solid(2.0 * a.half);
-        const Solid other = bodies.solid[j] != nullptr ? *bodies.solid[j] : make_box_solid(2.0 * b.half);
-        if (find_gap_of_faces(other, own, place) <= gap) return false;
+        if (find_clearance({b.half, bodies.solid[j]}, {a.half, bodies.solid[i]}, place, gap) <= gap) return false;
     }
     return true;
 }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/contact/box_gap.hpp"
 #include "lsdem/contact/box_meeting.hpp"
+#include "lsdem/solid/box_gap.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -121,7 +121,7 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
         const Vector3 offset = b.position - a.position;
         if (!(offset.cwiseAbs().array() <= (half[i] + half[j]).array() + skin_).all()) return;
         const Matrix3 to_a = a.rotation.transpose();
-        if (detail::find_gap_of_faces(b.half, a.half, to_a * b.rotation, to_a * offset) > skin_) return;
+        if (find_gap_of_faces(a.half, b.half, {to_a * b.rotation, to_a * offset}) > skin_) return;
         pairs.push_back({std::min(i, j), std::max(i, j)});
     };
     // each row of three cells along the last axis is contiguous in the sorted list

@@ -35,12 +35,15 @@ std::vector<Edge> collect_edges(const Polyhedron& body, const Placing& place) {
     return edges;
 }
 
-/// The widest gap along the normals of the faces of a body, from it to the corners of another one [m].
+/// The widest gap along the normals of the faces of a body, from it to the corners of another one in its frame [m].
 double find_gap_along_faces(const Polyhedron& body, const std::vector<Vector3>& corners) {
     double widest = -std::numeric_limits<double>::infinity();
     for (const Polyhedron::Face& face : body.faces) {
         double gap = std::numeric_limits<double>::infinity();
-        for (const Vector3& corner : corners) gap = std::min(gap, -face.plane.depth(corner));
+        for (const Vector3& corner : corners) {
+            gap = std::min(gap, -face.plane.depth(corner));
+            if (gap <= widest) break;
+        }
         widest = std::max(widest, gap);
     }
     return widest;
@@ -107,24 +110,39 @@ double find_gap_to_point(const Polyhedron& piece, const Vector3& x) {
     return std::isfinite(nearest) ? nearest : -find_depth(piece, x);
 }
 
-std::vector<Vector3> place_corners(const Polyhedron& body, const Placing& place) {
-    std::vector<Vector3> corners;
+void place_corners(const Polyhedron& body, const Placing& place, std::vector<Vector3>& corners) {
+    corners.clear();
     for (const Vector3& corner : body.corners) corners.push_back(place * corner);
-    return corners;
+}
+
+/// Along the faces of both; `back`: the inverse of `place`.
+double find_gap_of_faces(const Polyhedron& a, const Polyhedron& b, const Placing& place, const Placing& back) {
+    thread_local std::vector<Vector3> corners;  // room
+    place_corners(b, place, corners);
+    const double of_a = find_gap_along_faces(a, corners);
+    place_corners(a, back, corners);
+    return std::max(of_a, find_gap_along_faces(b, corners));
 }
 
 }  // namespace
 
 double find_gap(const Polyhedron& a, const Polyhedron& b, const Placing& place) {
-    const double of_a = find_gap_along_faces(a, place_corners(b, place));
-    const double of_b = find_gap_along_faces(b, place_corners(a, place.inverse()));
-    return std::max({of_a, of_b, find_gap_across_edges(collect_edges(a, {}), collect_edges(b, place))});
+    return std::max(find_gap_of_faces(a, b, place, place.inverse()), find_gap_across_edges(collect_edges(a, {}), collect_edges(b, place)));
 }
 
 double find_gap(const Solid& a, const Solid& b, const Placing& place) {
     double least = std::numeric_limits<double>::infinity();
     for (const Polyhedron& of_a : a.pieces) {
         for (const Polyhedron& of_b : b.pieces) least = std::min(least, find_gap(of_a, of_b, place));
+    }
+    return least;
+}
+
+double find_gap_of_faces(const Solid& a, const Solid& b, const Placing& place) {
+    const Placing back = place.inverse();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Polyhedron& of_a : a.pieces) {
+        for (const Polyhedron& of_b : b.pieces) least = std::min(least, find_gap_of_faces(of_a, of_b, place, back));
     }
     return least;
 }

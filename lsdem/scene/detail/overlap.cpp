@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "lsdem/solid/outline.hpp"
 #include "lsdem/solid/solid_gap.hpp"
 
 namespace musim::lsdem::detail {
@@ -19,36 +20,16 @@ constexpr double kLargeBody = 8.0;
 /// Half extents of a body's bounding box in the world frame [m].
 Vector3 bounding_half(const Body& body) { return body.round ? body.half : Vector3(body.axes.cwiseAbs() * body.half); }
 
-/// Reach of a box or a sphere along a unit direction [m].
-double reach(const Body& body, const Vector3& direction) {
-    return body.round ? body.half.x() : (body.axes.transpose() * direction).cwiseAbs().dot(body.half);
-}
-
-double overlap_along(const Body& a, const Body& b, const Vector3& direction) {
-    return reach(a, direction) + reach(b, direction) - std::abs((b.center - a.center).dot(direction));
-}
-
 Placing placing_of(const Body& body) { return {body.axes, body.center}; }
 
-/// The solid of a body, of a box made here.
-class SolidOf {
-  public:
-    explicit SolidOf(const Body& body) : solid_(body.solid) {
-        if (solid_ == nullptr) box_ = make_box_solid(2.0 * body.half), solid_ = &box_;
-    }
-    const Solid& operator*() const { return *solid_; }
-
-  private:
-    Solid box_;
-    const Solid* solid_;
-};
+Outline outline_of(const Body& body) { return {body.half, body.solid}; }
 
 /// Two spheres, or a sphere and a solid.
 double round_overlap(const Body& a, const Body& b) {
     if (a.round && b.round) return a.half.x() + b.half.x() - (b.center - a.center).norm();
     const Body& ball = a.round ? a : b;
     const Body& other = a.round ? b : a;
-    return ball.half.x() - find_gap(*SolidOf(other), placing_of(other).inverse() * ball.center);
+    return ball.half.x() - find_gap(outline_of(other), placing_of(other).inverse() * ball.center);
 }
 
 bool bounds_meet(const Body& a, const Body& b, double tolerance) {
@@ -117,26 +98,12 @@ void see_neighbors(const std::vector<Body>& bodies, const std::vector<std::size_
 
 double compute_overlap(const Body& a, const Body& b) {
     if (a.round || b.round) return round_overlap(a, b);
-    if (a.solid != nullptr || b.solid != nullptr) return -find_gap(*SolidOf(a), *SolidOf(b), placing_of(a).inverse() * placing_of(b));
-    // boxes come to rest by this depth, thousands of times a layer; apart, it is wider than that of find_gap
-    double depth = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) {
-        depth = std::min({depth, overlap_along(a, b, a.axes.col(k)), overlap_along(a, b, b.axes.col(k))});
-    }
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            const Vector3 cross = a.axes.col(i).cross(b.axes.col(j));
-            // nearly parallel edges separate nothing that face normals do not
-            constexpr double kParallel = 1e-6;
-            if (cross.norm() > kParallel) depth = std::min(depth, overlap_along(a, b, cross.normalized()));
-        }
-    }
-    return depth;
+    return -find_gap(outline_of(a), outline_of(b), placing_of(a).inverse() * placing_of(b));
 }
 
 double compute_depth_in_ground(const Body& body) {
-    return (body.solid != nullptr ? find_reach(*body.solid, -body.axes.row(2).transpose()) : reach(body, -Vector3::UnitZ())) -
-           body.center.z();
+    const double reach = body.round ? body.half.x() : find_reach(outline_of(body), -body.axes.row(2).transpose());
+    return reach - body.center.z();
 }
 
 std::optional<Overlap> find_deepest_overlap(const std::vector<Body>& bodies) {

@@ -7,12 +7,12 @@
 #include <random>
 #include <vector>
 
-#include "lsdem/contact/face_gap.hpp"
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/solid/basic_solids.hpp"
 #include "lsdem/solid/compound.hpp"
 #include "lsdem/solid/convex_hull.hpp"
+#include "lsdem/solid/solid_gap.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;

@@ -9,9 +9,10 @@
 #include <random>
 #include <vector>
 
-#include "lsdem/contact/box_gap.hpp"
 #include "lsdem/solid/basic_solids.hpp"
+#include "lsdem/solid/box_gap.hpp"
 #include "lsdem/solid/convex_hull.hpp"
+#include "lsdem/solid/outline.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/solids.hpp"
 
@@ -81,15 +82,18 @@ TEST_CASE("boxes overlap by the least depth over their fifteen axes, or are apar
         const Placing place{draw_rotation(random), 2.0 * draw_vector(random)};
         const double gap = find_gap(make_box_solid(2.0 * half_a), make_box_solid(2.0 * half_b), place);
         const double depth = find_box_depth(half_a, half_b, place);
+        CHECK(find_gap(half_a, half_b, place) == relative(-depth, 1e-13 / std::abs(depth)));
+        // that of either kind where one bounds it, and fast
+        CHECK((find_clearance({half_a}, {half_b}, place, 0.0) > 0.0) == (depth < 0.0));
+        const Solid solid_a = make_box_solid(2.0 * half_a);
+        CHECK((find_clearance({half_a, &solid_a}, {half_b}, place, 0.0) > 0.0) == (depth < 0.0));
+        CHECK(find_clearance({half_a, &solid_a}, {half_b}, place, 0.0) <= std::max(gap, 0.0) + 1e-14);
         if (depth > 0.0) {
             CHECK(gap == relative(-depth, 1e-13 / depth));
             ++overlapping;
         } else {
-            // of box a in the frame of box b
-            const Placing inverse = place.inverse();
-            CHECK(gap >= detail::find_gap_of_faces(half_a, half_b, inverse.rotation, inverse.position) - 1e-14);
+            CHECK(gap >= find_gap_of_faces(half_a, half_b, place) - 1e-14);
             CHECK(gap > 0.0);
-            CHECK(detail::find_gap(half_a, half_b, inverse.rotation, inverse.position) > 0.0);
             ++apart;
         }
     }
