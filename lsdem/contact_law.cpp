@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lsdem/material_fields.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -27,7 +29,19 @@ double find_damping_ratio(double restitution) {
 }
 
 /// Stiffness of two springs in series, each half a block thick; equal ones are kept to the last bit.
-double in_series(double a, double b) { return a == b ? a : 2.0 * a * b / (a + b); }
+double join_in_series(double a, double b) { return a == b ? a : 2.0 * a * b / (a + b); }
+
+double join(MaterialField::Joint joint, double a, double b) {
+    switch (joint) {
+        case MaterialField::Joint::in_series:
+            return join_in_series(a, b);
+        case MaterialField::Joint::smaller:
+            return std::min(a, b);
+        case MaterialField::Joint::larger:
+            break;
+    }
+    return std::max(a, b);
+}
 
 }  // namespace
 
@@ -48,11 +62,9 @@ double compute_damping_ratio(double restitution) {
 }
 
 Material combine(const Material& a, const Material& b) {
-    return {.normal_stiffness = in_series(a.normal_stiffness, b.normal_stiffness),
-            .shear_stiffness = a.shear_stiffness + b.shear_stiffness > 0.0 ? in_series(a.shear_stiffness, b.shear_stiffness) : 0.0,
-            .friction = std::min(a.friction, b.friction),
-            .restitution = std::min(a.restitution, b.restitution),
-            .shear_damping_ratio = std::max(a.shear_damping_ratio, b.shear_damping_ratio)};
+    Material both;
+    for (const auto& [member, joint] : kMaterialFields) both.*member = join(joint, a.*member, b.*member);
+    return both;
 }
 
 Material find_joint(const Model& model, std::size_t a, const std::optional<std::size_t>& b) {

@@ -1,6 +1,7 @@
 #include "lsdem/model_hash.hpp"
 
 #include "lsdem/archive.hpp"
+#include "lsdem/material_fields.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -41,7 +42,7 @@ static void exchange(Archive& archive, Shape& s) {
 }
 
 static void exchange(Archive& archive, Material& m) {
-    archive(m.normal_stiffness, m.shear_stiffness, m.friction, m.restitution, m.shear_damping_ratio);
+    for (const MaterialField& field : kMaterialFields) archive(m.*field.member);
 }
 
 static void exchange(Archive& archive, MaterialPair& p) { archive(p.first, p.second, p.joint); }

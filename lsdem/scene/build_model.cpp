@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "lsdem/contact_law.hpp"
@@ -16,6 +17,7 @@
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/detail/placement.hpp"
+#include "lsdem/scene/detail/scene_fields.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/time_step.hpp"
@@ -71,12 +73,19 @@ Shape make_shape(const Scene& scene, const Placement& block) {
     return std::visit([&](const auto& settings) { return make_shape(settings, block, has_nodes); }, scene.shape);
 }
 
+double lower(scaling::Stiffness stiffness, double face_area) { return stiffness.value() / face_area; }
+double lower(double number, double /*face_area*/) { return number; }
+
+/// Calls `visit(field)` for every property of contact.
+template <class Visit>
+void for_each_contact_field(const Visit& visit) {
+    std::apply([&](const auto&... field) { (visit(field), ...); }, detail::kContactFields);
+}
+
 Material make_material(const BlockMaterial& material, double face_area) {
-    return {.normal_stiffness = material.normal_stiffness.value() / face_area,
-            .shear_stiffness = material.shear_stiffness.value() / face_area,
-            .friction = material.friction,
-            .restitution = material.restitution,
-            .shear_damping_ratio = material.shear_damping_ratio};
+    Material made;
+    for_each_contact_field([&](const auto& field) { made.*field.lowered = lower(material.*field.of_material, face_area); });
+    return made;
 }
 
 /// Adds blocks to a model; equal blocks share their shape and their material.
@@ -130,11 +139,9 @@ class ModelBuilder {
     void add_pair(std::size_t first, std::optional<std::size_t> second, const PairEntry& given) {
         Material joint = find_joint(model_, first, second);
         if (!second) joint.friction = scene_.ground.friction.value_or(joint.friction);
-        if (given.normal_stiffness) joint.normal_stiffness = given.normal_stiffness->value() / face_area_;
-        if (given.shear_stiffness) joint.shear_stiffness = given.shear_stiffness->value() / face_area_;
-        joint.friction = given.friction.value_or(joint.friction);
-        joint.restitution = given.restitution.value_or(joint.restitution);
-        joint.shear_damping_ratio = given.shear_damping_ratio.value_or(joint.shear_damping_ratio);
+        for_each_contact_field([&](const auto& field) {
+            if (const auto& own = given.*field.of_pair) joint.*field.lowered = lower(*own, face_area_);
+        });
         model_.pairs.push_back({first, second, joint});
     }
 

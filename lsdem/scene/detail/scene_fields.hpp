@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "lsdem/material_fields.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "scaling/json_reader.hpp"
 
@@ -34,24 +37,53 @@ inline constexpr bool kRequired = true;
 template <class Part>
 inline constexpr auto kFields = std::tuple{};
 
-template <>
-inline constexpr auto kFields<BlockMaterial> = std::tuple{
-    Field{"density", &BlockMaterial::density, Range::positive, kRequired},
-    Field{"normal_stiffness", &BlockMaterial::normal_stiffness, Range::positive},
-    Field{"shear_stiffness", &BlockMaterial::shear_stiffness, Range::positive},
-    Field{"friction", &BlockMaterial::friction, Range::not_negative, kRequired},
-    Field{"restitution", &BlockMaterial::restitution, Range::any, kRequired},
-    Field{"shear_damping_ratio", &BlockMaterial::shear_damping_ratio, Range::not_negative},
+/// A property of contact that materials have, and pairs of them may have as well; the kernel's, and what makes one of the other.
+template <class Value>
+struct ContactField {
+    const char* key;
+    Value BlockMaterial::*of_material;
+    std::optional<Value> PairEntry::*of_pair;
+    double Material::*lowered;
+    Range range = Range::any;
+    bool required = false;  ///< of materials
+
+    constexpr auto field_of_material() const { return Field{key, of_material, range, required}; }
+    constexpr auto field_of_pair() const { return Field{key, of_pair, range}; }
 };
+
+/// In the order of kMaterialFields.
+inline constexpr auto kContactFields = std::tuple{
+    ContactField{"normal_stiffness", &BlockMaterial::normal_stiffness, &PairEntry::normal_stiffness, &Material::normal_stiffness,
+                 Range::positive},
+    ContactField{"shear_stiffness", &BlockMaterial::shear_stiffness, &PairEntry::shear_stiffness, &Material::shear_stiffness,
+                 Range::positive},
+    ContactField{"friction", &BlockMaterial::friction, &PairEntry::friction, &Material::friction, Range::not_negative, kRequired},
+    ContactField{"restitution", &BlockMaterial::restitution, &PairEntry::restitution, &Material::restitution, Range::any, kRequired},
+    ContactField{"shear_damping_ratio", &BlockMaterial::shear_damping_ratio, &PairEntry::shear_damping_ratio,
+                 &Material::shear_damping_ratio, Range::not_negative},
+};
+
+/// Does every property of the kernel's material have its field, in the same order?
+constexpr bool name_all_of_material() {
+    return std::apply(
+        [](const auto&... field) {
+            std::size_t k = 0;
+            return sizeof...(field) == kMaterialFields.size() && ((field.lowered == kMaterialFields[k++].member) && ...);
+        },
+        kContactFields);
+}
+static_assert(name_all_of_material(), "scenes have no field for a property of Material");
+
+template <>
+inline constexpr auto kFields<BlockMaterial> = std::apply(
+    [](const auto&... field) {
+        return std::tuple{Field{"density", &BlockMaterial::density, Range::positive, kRequired}, field.field_of_material()...};
+    },
+    kContactFields);
 /// Behind its two names.
 template <>
-inline constexpr auto kFields<PairEntry> = std::tuple{
-    Field{"normal_stiffness", &PairEntry::normal_stiffness, Range::positive},
-    Field{"shear_stiffness", &PairEntry::shear_stiffness, Range::positive},
-    Field{"friction", &PairEntry::friction, Range::not_negative},
-    Field{"restitution", &PairEntry::restitution},
-    Field{"shear_damping_ratio", &PairEntry::shear_damping_ratio, Range::not_negative},
-};
+inline constexpr auto kFields<PairEntry> = std::apply([](const auto&... field) { return std::tuple{field.field_of_pair()...}; },
+                                                      kContactFields);
 template <>
 inline constexpr auto kFields<BoxShape> = std::tuple{Field{"nodes_per_face", &BoxShape::nodes_per_face, Range::four_or_more}};
 template <>
