@@ -42,41 +42,60 @@ Vector3 find_by_axis(const Axes& axes, double time, const Of& of) {
     return result;
 }
 
+template <class Axes>
+Vector3 find_integral(const Axes& axes, double time) {
+    return find_by_axis(axes, time, [](const auto& axis, const Place& at) {
+        return axis.displacement[at.index] + (axis.samples.velocity[at.index] + 0.5 * slope(axis.samples, at) * at.elapsed) * at.elapsed;
+    });
+}
+
+template <class Axes>
+Vector3 find_value(const Axes& axes, double time) {
+    return find_by_axis(axes, time, [](const auto& axis, const Place& at) {
+        return axis.samples.velocity[at.index] + slope(axis.samples, at) * at.elapsed;
+    });
+}
+
+template <class Axes>
+Vector3 find_slope(const Axes& axes, double time) {
+    return find_by_axis(axes, time, [](const auto& axis, const Place& at) { return slope(axis.samples, at); });
+}
+
 }  // namespace
 
-BaseMotion::BaseMotion(const std::array<BaseComponent, 3>& components) {
+BaseMotion::BaseMotion(const BaseComponents& motion)
+    : shift_(make_axes(motion.shift)), turn_(make_axes(motion.turn)), pivot_(motion.pivot), turns_(motion.turns()) {
+    if (!pivot_.allFinite()) throw std::invalid_argument("base motion: the point about which it turns is not finite");
+}
+
+BaseMotion::Axes BaseMotion::make_axes(const std::array<BaseComponent, 3>& components) {
+    Axes axes;
     for (std::size_t a = 0; a < 3; ++a) {
         const BaseComponent& c = components[a];
         if (c.velocity.size() > 1 && !(c.dt > 0.0)) throw std::invalid_argument("base motion: the sample interval must be positive");
         const bool finite = std::all_of(c.velocity.begin(), c.velocity.end(), [](double v) { return std::isfinite(v); });
         if (!finite || !std::isfinite(c.start)) throw std::invalid_argument("base motion: a sample is not a finite number");
-        axes_[a].samples = c;
-        axes_[a].displacement.assign(c.velocity.size(), 0.0);
+        axes[a].samples = c;
+        axes[a].displacement.assign(c.velocity.size(), 0.0);
         for (std::size_t k = 1; k < c.velocity.size(); ++k)
-            axes_[a].displacement[k] = axes_[a].displacement[k - 1] + 0.5 * c.dt * (c.velocity[k - 1] + c.velocity[k]);
+            axes[a].displacement[k] = axes[a].displacement[k - 1] + 0.5 * c.dt * (c.velocity[k - 1] + c.velocity[k]);
     }
+    return axes;
 }
 
-Vector3 BaseMotion::displacement(double time) const {
-    return find_by_axis(axes_, time, [](const auto& axis, const Place& at) {
-        return axis.displacement[at.index] + (axis.samples.velocity[at.index] + 0.5 * slope(axis.samples, at) * at.elapsed) * at.elapsed;
-    });
-}
-
-Vector3 BaseMotion::velocity(double time) const {
-    return find_by_axis(axes_, time, [](const auto& axis, const Place& at) {
-        return axis.samples.velocity[at.index] + slope(axis.samples, at) * at.elapsed;
-    });
-}
-
-Vector3 BaseMotion::acceleration(double time) const {
-    return find_by_axis(axes_, time, [](const auto& axis, const Place& at) { return slope(axis.samples, at); });
+Vector3 BaseMotion::displacement(double time) const { return find_integral(shift_, time); }
+Vector3 BaseMotion::velocity(double time) const { return find_value(shift_, time); }
+Vector3 BaseMotion::acceleration(double time) const { return find_slope(shift_, time); }
+Vector3 BaseMotion::angle(double time) const { return find_integral(turn_, time); }
+Quaternion BaseMotion::turn(double time) const { return turn_by(angle(time)); }
+TurnRates BaseMotion::turn_rates(double time) const {
+    return find_turn_rates(angle(time), find_value(turn_, time), find_slope(turn_, time));
 }
 
 Vector3 BaseMotion::peak_acceleration(double end) const {
     Vector3 peak = Vector3::Zero();
     for (int a = 0; a < 3; ++a) {
-        const BaseComponent& c = axes_[static_cast<std::size_t>(a)].samples;
+        const BaseComponent& c = shift_[static_cast<std::size_t>(a)].samples;
         for (std::size_t k = 1; k < c.velocity.size(); ++k) {
             const double begins = c.start + static_cast<double>(k - 1) * c.dt;
             if (begins >= end || begins + c.dt <= 0.0) continue;
@@ -88,8 +107,8 @@ Vector3 BaseMotion::peak_acceleration(double end) const {
 
 double BaseMotion::still_until(double time) const {
     double until = std::numeric_limits<double>::infinity();
-    for (const Axis& axis : axes_) {
-        const BaseComponent& c = axis.samples;
+    for (std::size_t a = 0; a < 6; ++a) {
+        const BaseComponent& c = a < 3 ? shift_[a].samples : turn_[a - 3].samples;
         // the axis moves from the last zero sample before the first other one
         const std::size_t here = at_rest(c, time) ? 0 : find_place(c, time).index;
         const auto moving = std::find_if(c.velocity.begin() + static_cast<std::ptrdiff_t>(std::min(here, c.velocity.size())),

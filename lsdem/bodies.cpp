@@ -7,16 +7,16 @@ namespace musim::lsdem {
 Bodies::Bodies(const Model& model) {
     const std::size_t n = model.blocks.size();
     for (auto* v : {&velocity, &momentum, &inverse_inertia}) v->resize(n, Vector3::Zero());
-    pose.resize(n);
-    orientation.resize(n);
+    pose.resize(n + 1);
+    orientation.resize(n + 1, Quaternion::Identity());
     mass.resize(n);
     inverse_mass.resize(n);
-    solid.resize(n);
-    fixed.resize(n);
+    solid.resize(n + 1);
+    fixed.resize(n + 1, 1);
     free.resize(n);
     preparation_loss.resize(n);
-    start_position.resize(n);
-    start_orientation.resize(n);
+    start_position.resize(n + 1, Vector3::Zero());
+    start_orientation.resize(n + 1, Quaternion::Identity());
     for (std::size_t i = 0; i < n; ++i) {
         const Block& block = model.blocks[i];
         const Vector3 inertia = block.mass * inertia_over_mass(model, block);
@@ -40,8 +40,8 @@ Bodies::Bodies(const Model& model) {
 
 std::vector<Vector3> Bodies::positions() const {
     std::vector<Vector3> all;
-    all.reserve(pose.size());
-    for (const BodyPose& body : pose) all.push_back(body.position);
+    all.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i) all.push_back(pose[i].position);
     return all;
 }
 

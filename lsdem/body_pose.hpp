@@ -19,6 +19,13 @@ struct alignas(64) BodyPose {
     Vector3 half = Vector3::Zero();          ///< half extents, the own height included, body frame [m]
     double height_offset = 0.0;              ///< Δ, see Block [m]
     BodyStep step;                           ///< from n − 1 to n
+
+    /// Shift over the step of the body's point that is at `x` now, world frame [m].
+    Vector3 shift_of(const Vector3& x) const {
+        // v − T⁻¹ v = 2w (u×v) − 2 u×(u×v)
+        const Vector3 arm = x - position, half_turn = step.turn.vec(), across = half_turn.cross(arm);
+        return step.shift + 2.0 * (step.turn.w() * across - half_turn.cross(across));
+    }
 };
 
 }  // namespace musim::lsdem

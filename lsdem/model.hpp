@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -59,21 +60,36 @@ struct MotionSource {
     double peak_acceleration = 0.0;    ///< PGA of the formula [m/s²]; 0: none, or not known
 };
 
-/// Prescribed velocity of the base along one world axis: samples v_k at t_k = start + k·dt, linear in between, so that the acceleration
-/// is stepwise constant and the displacement, its exact integral, is piecewise quadratic. Zero before `start`; the last sample holds after
-/// the end. A first sample that is not zero is a step in velocity.
+/// Prescribed velocity of the base along one world axis, or rate of its turn about one: samples v_k at t_k = start + k·dt, linear in
+/// between, so that the acceleration is stepwise constant and the displacement, its exact integral, is piecewise quadratic. Zero before
+/// `start`; the last sample holds after the end. A first sample that is not zero is a step in velocity.
 struct BaseComponent {
     double start = 0.0;            ///< t_0 [s]
     double dt = 0.0;               ///< [s]; irrelevant with fewer than two samples
-    std::vector<double> velocity;  ///< v_k [m/s]; empty: this axis does not move
+    std::vector<double> velocity;  ///< v_k [m/s or rad/s]; empty: no motion along this axis, or about it
     MotionSource source = {};
+};
+
+/// Prescribed motion of the ground: its point `pivot` is displaced by d(t), the integral of `shift`, while the ground is turned by the
+/// rotation vector θ(t), the integral of `turn`, about the world's axes: a point that was at x when the motion began is at
+///   pivot + d + exp[θ×] (x − pivot).
+struct BaseComponents {
+    std::array<BaseComponent, 3> shift = {};  ///< along x, y, z [m/s]
+    std::array<BaseComponent, 3> turn = {};   ///< about x, y, z [rad/s]
+    Vector3 pivot = Vector3::Zero();          ///< in the frame of the ground, whose origin is in the plane that carries the structure [m]
+
+    /// Components of both, one after the other.
+    std::array<BaseComponent, 6> all() const { return {shift[0], shift[1], shift[2], turn[0], turn[1], turn[2]}; }
+    bool turns() const {
+        return std::any_of(turn.begin(), turn.end(), [](const BaseComponent& about) { return !about.velocity.empty(); });
+    }
 };
 
 /// The plane z = 0 that carries the structure and moves with the base.
 struct Ground {
     bool present = true;
     Material material;
-    std::array<BaseComponent, 3> motion;  ///< along x, y, z
+    BaseComponents motion;
 };
 
 /// Which nodes probe a pair of blocks.

@@ -54,6 +54,12 @@ static void exchange(Archive& archive, Block& b) {
 
 static void exchange(Archive& archive, BaseComponent& c) { archive(c.start, c.dt, c.velocity); }
 
+/// Models whose ground does not turn keep their names.
+static void exchange(Archive& archive, BaseComponents& m) {
+    archive(m.shift);
+    if (m.turns()) archive(m.turn, m.pivot);
+}
+
 static void exchange(Archive& archive, Ground& g) { archive(g.present, g.material, g.motion); }
 
 static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }

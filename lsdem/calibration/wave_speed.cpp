@@ -139,7 +139,7 @@ WaveHistory run_wave_test(const BlockSample& given, WaveKind kind, const WaveSet
     Model model = make_column(sample, settings.layers);
     const int axis = kind == WaveKind::normal ? 2 : 0;
     WaveHistory history{.base_velocity = base_velocity(sample), .time = {}, .displacement = {}, .velocity = {}};
-    model.ground.motion[static_cast<std::size_t>(axis)] = {0.0, 0.0, {history.base_velocity}};
+    model.ground.motion.shift[static_cast<std::size_t>(axis)] = {0.0, 0.0, {history.base_velocity}};
 
     const double omega = frequency(sample, kind);
     const double step = std::min(kStep / omega, 0.5 * compute_critical_time_step(model));

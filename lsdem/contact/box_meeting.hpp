@@ -9,8 +9,8 @@
 
 namespace musim::lsdem::detail {
 
-/// Two boxes. The half space z ≤ h is box b without rotation, place (x, y, h) below the middle of a, half extents (r, r, 0), r twice
-/// the diagonal of a: a sheet, whose sides a does not reach.
+/// Two boxes. The ground is box b, turned as the ground is, in the foot of the middle of a on it, half extents (r, r, 0), r twice the
+/// diagonal of a: a sheet, whose sides a does not reach.
 struct BoxMeeting {
     const BodyPose *a, *b;
     /// From the first centre to the origin of the pair, in parts of the way between the centres: 1/2; 0 where b is the ground.

@@ -98,8 +98,7 @@ void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_
 
 /// Books what a pair gives up when its contact starts anew, at other faces: of the stored energy, what its last force does not return over
 /// the second half of the step from n − 1 to n.
-void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairTally& stored,
-                  PairWork& work) {
+void drop_elastic(const Bodies& bodies, const ContactPair& pair, const PairForce& last, const PairTally& stored, PairWork& work) {
     // the turn of a block over the step, as a vector: sin θ is close enough to θ
     const auto turn = [&](std::size_t i) {
         const Quaternion& step = bodies.pose[i].step.turn;
@@ -107,43 +106,35 @@ void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair&
     };
     const std::size_t l = pair.leader, f = pair.follower;
     double done = last.force.dot(bodies.pose[l].step.shift) + last.leader_torque.dot(turn(l));
-    if (pair.follower == kGround) {
-        done -= last.force.dot(base.displacement - base.previous);
-    } else {
-        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.pose[f].step.shift);
-    }
+    done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.pose[f].step.shift);
     work.damping += stored.elastic_normal - 0.5 * done;
     work.friction += stored.elastic_shear;
 }
 
 /// Notes the faces that meet. When they are others than a step ago, all contacts of the pair give up what they held.
-void start_new_faces(const Bodies& bodies, const BasePose& base, const FlatFollower& face, std::size_t index, ContactList& list) {
+void start_new_faces(const Bodies& bodies, const FlatFollower& face, std::size_t index, ContactList& list) {
     if (list.faces[index] == face.code()) return;
     list.faces[index] = face.code();
     const ContactPair& pair = list.pairs[index];
-    drop_elastic(bodies, base, pair, list.forces[index], list.tallies[index], list.work[index]);
+    drop_elastic(bodies, pair, list.forces[index], list.tallies[index], list.work[index]);
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) list.history.end(entry);
 }
 
-/// Pose of the leader in the frame of the follower, or of the base.
-RelativePose find_pose(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
+/// Pose of the leader in the frame of the follower.
+RelativePose find_pose(const Bodies& bodies, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
-    if (pair.follower == kGround) {
-        return {bodies.pose[l].rotation, bodies.pose[l].position - base.displacement, bodies.previous_rotation(l),
-                bodies.previous_position(l) - base.previous};
-    }
     const Matrix3 to_follower = bodies.pose[f].rotation.transpose(), to_old_follower = bodies.previous_rotation(f).transpose();
     return {to_follower * bodies.pose[l].rotation, to_follower * (bodies.pose[l].position - bodies.pose[f].position),
             to_old_follower * bodies.previous_rotation(l), to_old_follower * (bodies.previous_position(l) - bodies.previous_position(f))};
 }
 
 /// A pair that meets by nodes.
-void compute_node_contact(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t index, ContactList& list) {
+void compute_node_contact(const Model& model, const Bodies& bodies, std::size_t index, ContactList& list) {
     const ContactPair& pair = list.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    const bool on_ground = pair.follower == kGround;
+    const bool on_ground = bodies.is_ground(f);
     const Shape& leader = model.shapes[model.blocks[l].shape];
-    const RelativePose pose = find_pose(bodies, base, pair);
+    const RelativePose pose = find_pose(bodies, pair);
     FlatFollower face;
     face.bounded = !on_ground;
     if (on_ground) {
@@ -159,29 +150,29 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
     // a smooth leader has one face only: were it named by an axis, a contact that rolls would begin anew every quarter turn
     if (!leader.faceted) face.leader_axis = 0;
     const detail::NodeContact contact{
-        .leader = nodes_of(model, model.blocks[l]), .pose = pose, .law = StepLaw(pair.law, base.elapsed), .pair = pair, .list = list};
+        .leader = nodes_of(model, model.blocks[l]), .pose = pose, .law = StepLaw(pair.law, bodies.elapsed), .pair = pair, .list = list};
     const auto* const grid = on_ground ? nullptr : std::get_if<GridLevelSet>(&model.shapes[model.blocks[f].shape].level_set);
-    if (grid == nullptr) start_new_faces(bodies, base, face, index, list);
+    if (grid == nullptr) start_new_faces(bodies, face, index, list);
     const PairSums sums =
         grid == nullptr ? detail::sum_flat_nodes(contact, face) : detail::sum_grid_nodes(contact, *grid, bodies.pose[f].height_offset);
-    const Matrix3 frame = on_ground ? Matrix3(Matrix3::Identity()) : bodies.pose[f].rotation;
-    store(sums, frame, {pose.position[0], pose.position[1], pose.position[2]}, list.forces[index], list.tallies[index], list.work[index]);
+    store(sums, bodies.pose[f].rotation, {pose.position[0], pose.position[1], pose.position[2]}, list.forces[index], list.tallies[index],
+          list.work[index]);
 }
 
 /// So many pairs before its turn a pair is asked for. Affects speed only.
 constexpr std::size_t kAhead = 16;
 
 /// Area over which a pair that meets by nodes touches, or more [m²]: which nodes do is not asked, any may be all of a face.
-double find_touching_area(const Model& model, const ContactList& list, std::size_t index) {
+double find_touching_area(const Model& model, const Bodies& bodies, const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
     if (list.tallies[index].touching == 0) return 0.0;
     const auto face_of = [&](std::size_t block) { return model.shapes[model.blocks[block].shape].face_area; };
-    return pair.follower == kGround ? face_of(pair.leader) : std::max(face_of(pair.leader), face_of(pair.follower));
+    return bodies.is_ground(pair.follower) ? face_of(pair.leader) : std::max(face_of(pair.leader), face_of(pair.follower));
 }
 
 }  // namespace
 
-double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t first, std::size_t last, ContactList& list,
+double compute_pairs(const Model& model, const Bodies& bodies, std::size_t first, std::size_t last, ContactList& list,
                      OverlapBatch& overlaps) {
     // what may touch, first of all, so that the memory of each can be prefetched
     std::size_t end = first;
@@ -200,8 +191,8 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
             overlaps.add(index);
             continue;
         }
-        compute_node_contact(model, bodies, base, index, list);
-        if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, list, index));
+        compute_node_contact(model, bodies, index, list);
+        if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, bodies, list, index));
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
         deepest = std::max(deepest, list.tallies[index].overlap / height);
     }
@@ -229,10 +220,10 @@ std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
 
 void clear_losses(ContactList& list) { std::fill(list.work.begin(), list.work.end(), PairWork{}); }
 
-void add_losses(const ContactList& list, Losses& losses) {
+void add_losses(const Bodies& bodies, const ContactList& list, Losses& losses) {
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
-        (pair.follower == kGround ? losses.ground : losses.block[pair.leader]) += list.work[p];
+        (bodies.is_ground(pair.follower) ? losses.ground : losses.block[pair.leader]) += list.work[p];
     }
 }
 

@@ -45,13 +45,13 @@ inline constexpr double kEdgeBlend = 0.1;
 
 class OverlapBatch;
 
-/// Two blocks, or a block and the ground, that may touch before the next rebuild of the list: boxes that meet by their overlap, or those
-/// nodes of the one (the leader) that may touch the other (the follower).
+/// Two bodies, a block and another or the ground, that may touch before the next rebuild of the list: boxes that meet by their overlap, or
+/// those nodes of the one (the leader) that may touch the other (the follower).
 struct ContactPair {
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
     std::uint32_t leader = 0;
-    std::uint32_t follower = kGround;
+    std::uint32_t follower = 0;    ///< the ground never leads
     std::uint32_t first_node = 0;  ///< into ContactList::nodes and history
     std::uint32_t node_count = 0;
     std::uint32_t overlap = kNone;  ///< into ContactList::overlaps, when the pair meets by its overlap
@@ -61,15 +61,13 @@ struct ContactPair {
     Interface law;
 
     bool is_overlap() const { return overlap != kNone; }
-    /// Nothing: the ground.
-    std::optional<std::size_t> follower_block() const { return follower == kGround ? std::nullopt : std::optional<std::size_t>(follower); }
 };
 
 /// Forces of one pair in the current step, world frame.
 struct PairForce {
     Vector3 force = Vector3::Zero();            ///< on the leader; the follower gets its opposite [N]
     Vector3 leader_torque = Vector3::Zero();    ///< about the leader's centre of mass [N·m]
-    Vector3 follower_torque = Vector3::Zero();  ///< about the follower's centre of mass [N·m]
+    Vector3 follower_torque = Vector3::Zero();  ///< about the follower's centre of mass, or the origin of the ground's frame [N·m]
 };
 
 /// State of one pair now.
@@ -99,24 +97,17 @@ struct ContactList {
     /// Indices into the leader shape's nodes, ascending within a pair; the last one is repeated to fill a group of four.
     std::vector<std::uint32_t> nodes;
     ContactHistory history;
-    std::vector<PairForce> forces;            ///< one per pair
-    std::vector<OverlapContact> overlaps;     ///< see ContactPair::overlap
-    std::vector<std::uint32_t> ground_pairs;  ///< indices of the pairs with the ground
-    std::vector<PairTally> tallies;           ///< one per pair
-    double trusted_gap = kTrustedGap;         ///< zero: every pair is looked at in every step [-]
-    std::vector<std::uint32_t> active;        ///< room for one entry per pair: those that a step has to look at, per thread
-    std::vector<double> next_check;           ///< one per pair: Bodies::travel_of both blocks below which they cannot meet [m]
-    std::vector<std::uint8_t> faces;          ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
+    std::vector<PairForce> forces;         ///< one per pair
+    std::vector<OverlapContact> overlaps;  ///< see ContactPair::overlap
+    std::vector<PairTally> tallies;        ///< one per pair
+    double trusted_gap = kTrustedGap;      ///< zero: every pair is looked at in every step [-]
+    std::vector<std::uint32_t> active;     ///< room for one entry per pair: those that a step has to look at, per thread
+    std::vector<double> next_check;        ///< one per pair: Bodies::travel_of both blocks below which they cannot meet [m]
+    std::vector<std::uint8_t> faces;       ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
     InertiaDemand demand;
     std::vector<PairWork> work;  ///< one per pair, since the list was built
-};
-
-/// Where the base was and is.
-struct BasePose {
-    Vector3 displacement = Vector3::Zero(), previous = Vector3::Zero();  ///< at steps n and n − 1 [m]
-    double elapsed = 0.0;                                                ///< between them [s]
 };
 
 /// Elastic energy of all pairs, their losses since the list was built [J], and how much touches.
@@ -132,7 +123,7 @@ ContactTotals sum_contacts(const ContactList& list);
 std::size_t count_apart(const Bodies& bodies, const ContactList& list);
 
 /// Adds what all pairs have dissipated since the list was built, in the order of the list.
-void add_losses(const ContactList& list, Losses& losses);
+void add_losses(const Bodies& bodies, const ContactList& list, Losses& losses);
 
 /// Forgets the losses of all pairs.
 void clear_losses(ContactList& list);
@@ -140,7 +131,7 @@ void clear_losses(ContactList& list);
 /// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
 /// Boxes that overlap go to `overlaps`, which may leave some to wait for others. Returns the largest overlap of those that meet by nodes,
 /// over the height of the leader's shape [-].
-double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t first, std::size_t last, ContactList& list,
+double compute_pairs(const Model& model, const Bodies& bodies, std::size_t first, std::size_t last, ContactList& list,
                      OverlapBatch& overlaps);
 
 }  // namespace musim::lsdem

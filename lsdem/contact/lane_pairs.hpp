@@ -38,8 +38,7 @@ struct Lane {
         motion.center = {-origin * apart, origin * apart};
         motion.previous_center = {-origin * apart_before, origin * apart_before};
         motion.turn = {Turn::of({first[0], first[1], first[2]}, first[3]), Turn::of({second[0], second[1], second[2]}, second[3])};
-        // the ground's sheet lies right below its block
-        origin_shift = {Real{}, Real{}, (origin - 0.5) * apart.z};
+        origin_shift = (origin - 0.5) * apart;
         return motion;
     }
     /// All numbers of a contact lie behind each other, from the springs on.

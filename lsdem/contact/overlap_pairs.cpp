@@ -14,9 +14,9 @@ namespace {
 constexpr double kGroundReach = 4.0;
 
 /// Least distance between the bodies of a pair; zero or less where they may overlap [m].
-double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
+double find_gap(const Bodies& bodies, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
-    if (pair.follower == kGround) return (bodies.pose[l].position.z() - base.displacement.z()) - bodies.find_reach_down(l);
+    if (bodies.is_ground(f)) return bodies.find_height(l);
     const Matrix3 to_follower = bodies.pose[f].rotation.transpose();
     const Vector3 position = to_follower * (bodies.pose[l].position - bodies.pose[f].position);
     const Placing place{to_follower * bodies.pose[l].rotation, position};
@@ -30,29 +30,30 @@ detail::ExactRoom& room_of_thread() {
 }
 
 /// Solids of the bodies of a pair, the leader first.
-MeetingSolids solids_of(const Bodies& bodies, const ContactPair& pair) {
-    return {bodies.solid[pair.leader], pair.follower == kGround ? nullptr : bodies.solid[pair.follower]};
-}
+MeetingSolids solids_of(const Bodies& bodies, const ContactPair& pair) { return {bodies.solid[pair.leader], bodies.solid[pair.follower]}; }
 
 /// Both boxes of a pair, the leader first; the ground as a sheet right below its block.
-detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, const ContactPair& pair, BodyPose& sheet) {
-    const BodyPose& leader = bodies.pose[pair.leader];
-    if (pair.follower != kGround) return {&leader, &bodies.pose[pair.follower]};
+detail::BoxMeeting make_meeting(const Bodies& bodies, const ContactPair& pair, BodyPose& sheet) {
+    const BodyPose &leader = bodies.pose[pair.leader], &follower = bodies.pose[pair.follower];
+    if (!bodies.is_ground(pair.follower)) return {&leader, &follower};
     const double reach = kGroundReach * leader.half.norm();
+    const Vector3 normal = bodies.up();
     sheet.half = {reach, reach, 0.0};
-    sheet.position = {leader.position.x(), leader.position.y(), base.displacement.z()};
-    sheet.step.shift = base.displacement - base.previous;
+    sheet.rotation = follower.rotation;
+    sheet.position = (leader.position - leader.position.dot(normal) * normal) + follower.position.dot(normal) * normal;
+    sheet.step.turn = follower.step.turn;
+    sheet.step.shift = follower.shift_of(sheet.position);
     return {&leader, &sheet, 0.0};
 }
 
 }  // namespace
 
-OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, ContactList& list) : bodies_(bodies), base_(base), list_(list) {}
+OverlapBatch::OverlapBatch(const Bodies& bodies, ContactList& list) : bodies_(bodies), list_(list) {}
 
 void OverlapBatch::add(std::size_t index) {
     const ContactPair& pair = list_.pairs[index];
     if (!list_.overlaps[pair.overlap].touches) {
-        const double gap = find_gap(bodies_, base_, pair);
+        const double gap = find_gap(bodies_, pair);
         const double trusted = list_.first_step ? 0.0 : list_.trusted_gap * gap;
         list_.next_check[index] = trusted > 0.0 ? bodies_.travel_of(pair.leader, pair.follower) + trusted : 0.0;
         if (gap > 0.0) {
@@ -121,7 +122,7 @@ void OverlapBatch::place(std::size_t index, Group& group, std::size_t at) {
     detail::LanePair& lane = group.lanes[at];
     const ContactPair& pair = list_.pairs[index];
     group.index[at] = static_cast<std::uint32_t>(index);
-    lane.meeting = make_meeting(bodies_, base_, pair, group.sheets[at]);
+    lane.meeting = make_meeting(bodies_, pair, group.sheets[at]);
     lane.law = &pair.law;
     lane.contact = &list_.overlaps[pair.overlap];
     lane.force = &list_.forces[index];
@@ -134,7 +135,7 @@ void OverlapBatch::compute(Group& group, const Group& next) {
     // lanes that are left over repeat the first
     const std::size_t lanes = detail::round_up_to_lanes(group.count);
     for (std::size_t i = group.count; i < lanes; ++i) (group.lanes[i] = group.lanes[0]).put_into(nowhere_);
-    detail::compute_lane_pairs(group.lanes.data(), lanes, base_.elapsed, list_.first_step, nowhere_, {next.lanes.data(), next.count});
+    detail::compute_lane_pairs(group.lanes.data(), lanes, bodies_.elapsed, list_.first_step, nowhere_, {next.lanes.data(), next.count});
     for (std::size_t i = 0; i < group.count; ++i) {
         const std::size_t index = group.index[i];
         if (group.lanes[i].irregular) {
@@ -146,17 +147,22 @@ void OverlapBatch::compute(Group& group, const Group& next) {
 }
 
 void OverlapBatch::compute_exactly(std::size_t index, detail::LanePair& lane) {
-    detail::compute_exact_pair(lane, solids_of(bodies_, list_.pairs[index]), base_.elapsed, list_.first_step, room_of_thread());
+    detail::compute_exact_pair(lane, solids_of(bodies_, list_.pairs[index]), bodies_.elapsed, list_.first_step, room_of_thread());
 }
 
-/// Books what a pair asks for and how deep it is.
+/// Books what a pair asks for and how deep it is; the torque on the ground is about its own origin, not that of its sheet.
 void OverlapBatch::note(std::size_t index, double area) {
+    const ContactPair& pair = list_.pairs[index];
+    if (bodies_.is_ground(pair.follower)) {
+        PairForce& forces = list_.forces[index];
+        const Vector3 arm = bodies_.pose[pair.leader].position - bodies_.pose[pair.follower].position;
+        forces.follower_torque = -(forces.leader_torque + arm.cross(forces.force));
+    }
     if (list_.demand.wanted) list_.demand.ask(index, area);
-    deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));
+    deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[pair.leader].half.z()));
 }
 
-void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
-                         const std::function<void(std::size_t, const MeetingArea&)>& visit) {
+void visit_meeting_areas(const Bodies& bodies, const ContactList& list, const std::function<void(std::size_t, const MeetingArea&)>& visit) {
     constexpr std::size_t kSize = detail::kLanePairs;
     detail::ExactRoom& room = room_of_thread();
     std::array<std::size_t, kSize> index{};
@@ -171,7 +177,7 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
         const OverlapGeometry geometry = find_overlap_geometry(room.pieces);
         if (!geometry.touches()) return;
         const Vector3& leader = bodies.pose[pair.leader].position;
-        const Vector3 origin = pair.follower == kGround ? leader : Vector3(0.5 * (leader + bodies.pose[pair.follower].position));
+        const Vector3 origin = bodies.is_ground(pair.follower) ? leader : Vector3(0.5 * (leader + bodies.pose[pair.follower].position));
         visit(p, {geometry.area.area, geometry.load.force.normalized(), origin + geometry.pressed() + geometry.area.arm,
                   geometry.area.second});
     };
@@ -198,29 +204,29 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
         if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
         if (pair.is_exact) {
             BodyPose sheet;
-            visit_exactly(p, make_meeting(bodies, base, pair, sheet));
+            visit_exactly(p, make_meeting(bodies, pair, sheet));
             continue;
         }
-        meetings[count] = make_meeting(bodies, base, pair, sheets[count]);
+        meetings[count] = make_meeting(bodies, pair, sheets[count]);
         index[count++] = p;
         if (count == kSize) visit_waiting();
     }
     visit_waiting();
 }
 
-double find_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t pair) {
+double find_overlap_energy(const Bodies& bodies, const ContactList& list, std::size_t pair) {
     const PairTally& tally = list.tallies[pair];
     if (!tally.rough) return tally.elastic_normal;
     detail::ExactRoom& room = room_of_thread();
     BodyPose sheet;
-    room.placed.place(make_meeting(bodies, base, list.pairs[pair], sheet), solids_of(bodies, list.pairs[pair]));
+    room.placed.place(make_meeting(bodies, list.pairs[pair], sheet), solids_of(bodies, list.pairs[pair]));
     room.pieces.cut(room.placed.a, room.placed.b);
     return list.pairs[pair].law.normal_stiffness * compute_overlap_energy(room.placed.a, room.placed.b, room.pieces);
 }
 
-void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {
+void refine_overlap_energies(const Bodies& bodies, ContactList& list) {
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        list.tallies[p].elastic_normal = find_overlap_energy(bodies, base, list, p);
+        list.tallies[p].elastic_normal = find_overlap_energy(bodies, list, p);
         list.tallies[p].rough = false;
     }
 }

@@ -17,7 +17,7 @@ namespace musim::lsdem {
 /// share a batch changes no bit.
 class OverlapBatch {
   public:
-    OverlapBatch(const Bodies& bodies, const BasePose& base, ContactList& list);
+    OverlapBatch(const Bodies& bodies, ContactList& list);
     OverlapBatch(const OverlapBatch&) = delete;
     OverlapBatch& operator=(const OverlapBatch&) = delete;
     ~OverlapBatch() = default;
@@ -50,7 +50,6 @@ class OverlapBatch {
     void note(std::size_t index, double area);
 
     const Bodies& bodies_;
-    const BasePose& base_;
     ContactList& list_;
     double deepest_ = 0.0;
     // pairs that wait for company, see OverlapContact::company
@@ -69,14 +68,13 @@ struct MeetingArea {
     Matrix3 second = Matrix3::Zero();  ///< moments about its middle [m⁴]
 };
 /// Calls visit(index of the pair, area) for all pairs that touched at the last step.
-void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
-                         const std::function<void(std::size_t, const MeetingArea&)>& visit);
+void visit_meeting_areas(const Bodies& bodies, const ContactList& list, const std::function<void(std::size_t, const MeetingArea&)>& visit);
 
 /// Energy of the normal springs of a pair at step n: that of its tally, computed exactly where the tally is rough [J].
-double find_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t pair);
+double find_overlap_energy(const Bodies& bodies, const ContactList& list, std::size_t pair);
 
 /// Puts the exact energies of the normal springs at step n in the place of those in the tallies that are rough: of corners, and of pairs
 /// that are not computed side by side. All others are off by 6e-5 of themselves at most, see kRoughly.
-void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list);
+void refine_overlap_energies(const Bodies& bodies, ContactList& list);
 
 }  // namespace musim::lsdem

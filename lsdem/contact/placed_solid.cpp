@@ -91,13 +91,15 @@ void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& posi
     fill_rows(piece);
 }
 
-void place_half_space(double height, double reach, PlacedSolid& placed) {
+void place_half_space(const Matrix3& rotation, const Vector3& foot, double reach, PlacedSolid& placed) {
     placed.piece_count = 0;
     PlacedPiece& piece = add_piece(sheet(), placed);
-    piece.normal[0] = Vector3::UnitZ();
-    piece.offset[0] = height;
+    piece.normal[0] = rotation.col(2);
+    piece.offset[0] = rotation.col(2).dot(foot);
     const double half = 2.0 * reach;
-    for (std::size_t c = 0; c < 4; ++c) piece.corner.set(c, {c == 0 || c == 3 ? -half : half, c < 2 ? -half : half, height});
+    for (std::size_t c = 0; c < 4; ++c) {
+        piece.corner.set(c, rotation * Vector3(c == 0 || c == 3 ? -half : half, c < 2 ? -half : half, 0.0) + foot);
+    }
     fill_rows(piece);
 }
 
@@ -112,7 +114,7 @@ void PlacedPair::place(const detail::BoxMeeting& poses, const MeetingSolids& sol
     if (poses.origin > 0.0) {
         place_one(*poses.b, solids.b, to_origin, b);
     } else {
-        place_half_space(apart.z(), poses.a->half.norm(), b);
+        place_half_space(poses.b->rotation, apart, poses.a->half.norm(), b);
     }
 }
 

@@ -62,9 +62,9 @@ void place(const Solid& solid, const Matrix3& rotation, const Vector3& position,
 /// Places a box of half extents `half` [m]: the solid of make_box_solid(2 half), to the last bit.
 void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& position, PlacedSolid& placed);
 
-/// The half space z ≤ `height`, seen by a body about the origin no point of which is farther away than `reach` [m]: of its face, the square
-/// that holds all that the body can cover.
-void place_half_space(double height, double reach, PlacedSolid& placed);
+/// A half space with the outward normal rotation·(0, 0, 1), seen by a body about the origin no point of which is farther away than `reach`
+/// [m]: of its face, the square about `foot` that holds all that the body can cover.
+void place_half_space(const Matrix3& rotation, const Vector3& foot, double reach, PlacedSolid& placed);
 
 /// Two bodies and what they are made of; a box has no solid.
 struct MeetingSolids {

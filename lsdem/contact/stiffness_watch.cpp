@@ -25,8 +25,8 @@ Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double alon
 
 }  // namespace
 
-StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose& base, const ContactList& list, double least) {
-    const double dt = base.elapsed;
+StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const ContactList& list, double least) {
+    const double dt = bodies.elapsed;
     opposition_.assign(bodies.size(), Matrix6::Zero());
     const auto add = [&](std::size_t index, const MeetingArea& area) {
         const ContactPair& pair = list.pairs[index];
@@ -34,14 +34,14 @@ StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose
         const double quarter = 0.25 * dt * dt, half = 0.5 * dt;
         const double along = quarter * law.normal_stiffness + half * law.normal_damping;
         const double across = quarter * law.shear_stiffness + half * law.shear_damping;
-        const auto moves = [&](std::uint32_t block) { return block != kGround && bodies.fixed[block] == 0; };
+        const auto moves = [&](std::uint32_t block) { return bodies.fixed[block] == 0; };
         const double sides = moves(pair.leader) && moves(pair.follower) ? 2.0 : 1.0;
         for (const std::uint32_t block : {pair.leader, pair.follower}) {
             if (!moves(block)) continue;
             opposition_[block] += sides * find_opposition(area, area.middle - bodies.pose[block].position, along, across);
         }
     };
-    visit_meeting_areas(bodies, base, list, std::cref(add));  // std::function needs no memory for a reference
+    visit_meeting_areas(bodies, list, std::cref(add));  // std::function needs no memory for a reference
 
     StiffestBlock stiffest{least, 0};
     for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -23,7 +23,7 @@ class StiffnessWatch {
     /// The largest eigenvalue, over single blocks that move, of M⁻¹(K dt²/4 + C dt/2), with K, C (6 x 6) those of the block's overlaps
     /// twice where the other block moves too, dt the last step: with no more than 1 every mode of the assembly is stable
     /// (docs/theory/integration.md). Zero unless a block uses more than `least`. Contacts by nodes are left out.
-    StiffestBlock find_stiffest(const Bodies& bodies, const BasePose& base, const ContactList& list, double least);
+    StiffestBlock find_stiffest(const Bodies& bodies, const ContactList& list, double least);
 
   private:
     std::vector<detail::Matrix6, Eigen::aligned_allocator<detail::Matrix6>> opposition_;  ///< one per block

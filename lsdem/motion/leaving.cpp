@@ -5,18 +5,18 @@
 namespace musim::lsdem::detail {
 namespace {
 
-/// Cosine of the angle by which a block has turned from its upright in the model [-].
-double find_uprightness(const Block& drawn, const BodyPose& pose) {
+/// Cosine of the angle by which a block has turned from its upright in the model, seen from the ground [-].
+double find_uprightness(const Block& drawn, const BodyPose& pose, const Vector3& ground_up) {
     const Quaternion& q = drawn.orientation;
     const Vector3 up{2.0 * (q.x() * q.z() - q.w() * q.y()), 2.0 * (q.y() * q.z() + q.w() * q.x()),
                      1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
-    return up.dot(pose.rotation.row(2));
+    return up.dot(pose.rotation.transpose() * ground_up);
 }
 
 /// Is block i farther than `gap` [m] from the ground and from all other blocks?
-bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t i, double gap) {
+bool is_in_the_air(const Model& model, const Bodies& bodies, std::size_t i, double gap) {
     const BodyPose& a = bodies.pose[i];
-    if (model.ground.present && a.position.z() - base.displacement.z() - bodies.find_reach_down(i) <= gap) return false;
+    if (model.ground.present && bodies.find_height(i) <= gap) return false;
     for (std::size_t j = 0; j < bodies.size(); ++j) {
         if (j == i) continue;
         const BodyPose& b = bodies.pose[j];
@@ -31,15 +31,15 @@ bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& bas
 
 }  // namespace
 
-std::optional<std::size_t> find_block_out_of_place(const Model& model, const Bodies& bodies, const BasePose& base, const TouchList& touches,
+std::optional<std::size_t> find_block_out_of_place(const Model& model, const Bodies& bodies, const TouchList& touches,
                                                    const std::vector<PairForce>& forces) {
     if (!model.ground.present && bodies.size() == 1) return std::nullopt;  // there is nothing to land on
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const BodyPose& pose = bodies.pose[i];
-        if (find_uprightness(model.blocks[i], pose) < kLeavingTurn) return i;
+        if (find_uprightness(model.blocks[i], pose, bodies.up()) < kLeavingTurn) return i;
         if (!touches.sum(i, forces).force.isZero(0.0)) continue;
-        if (is_in_the_air(model, bodies, base, i, kLeavingGap * 2.0 * pose.half.minCoeff())) return i;
+        if (is_in_the_air(model, bodies, i, kLeavingGap * 2.0 * pose.half.minCoeff())) return i;
     }
     return std::nullopt;
 }

@@ -51,7 +51,7 @@ void MassScaling::end(Bodies& bodies, ContactList& list) {
 
 double MassScaling::price_of(const ContactPair& pair) const {
     const Mobility& a = mobilities_[pair.leader];
-    const bool is_bounded = pair.follower != kGround;
+    const bool is_bounded = pair.follower < mobilities_.size();  // by a block
     const Mobility& b = is_bounded ? mobilities_[pair.follower] : a;
     const double any = std::max(a.any, b.any);
     double along = any;

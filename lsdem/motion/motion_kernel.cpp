@@ -6,17 +6,17 @@
 namespace musim::lsdem::detail {
 
 void TouchList::rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs) {
-    begin_.assign(blocks + 1, 0);
+    begin_.assign(blocks + 2, 0);
     for (const ContactPair& pair : pairs) {
         ++begin_[pair.leader + 1];
-        if (pair.follower != kGround) ++begin_[pair.follower + 1];
+        ++begin_[pair.follower + 1];
     }
-    for (std::size_t i = 0; i < blocks; ++i) begin_[i + 1] += begin_[i];
+    for (std::size_t i = 0; i <= blocks; ++i) begin_[i + 1] += begin_[i];
     touches_.resize(begin_.back());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
     for (std::uint32_t p = 0; p < pairs.size(); ++p) {
         touches_[next[pairs[p].leader]++] = {p, true};
-        if (pairs[p].follower != kGround) touches_[next[pairs[p].follower]++] = {p, false};
+        touches_[next[pairs[p].follower]++] = {p, false};
     }
 }
 

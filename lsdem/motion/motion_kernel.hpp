@@ -13,7 +13,7 @@
 
 namespace musim::lsdem::detail {
 
-/// The pairs of every block, in the order of the list, so that sums run in one order whatever the threads.
+/// The pairs of every block and of the ground, in the order of the list, so that sums run in one order whatever the threads.
 class TouchList {
   public:
     void rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs);
@@ -21,7 +21,7 @@ class TouchList {
     struct Load {
         Vector3 force, torque;  ///< [N], about the centre of mass [N·m]
     };
-    /// Sum of all contacts on block i.
+    /// Sum of all contacts on body i.
     Load sum(std::size_t i, const std::vector<PairForce>& forces) const {
         Load load{Vector3::Zero(), Vector3::Zero()};
         for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) {
@@ -62,21 +62,21 @@ class TouchList {
 /// Forces that move blocks in one step, and the drift beyond which neighbors are searched anew. The objects that it refers to must outlive
 /// it.
 struct Leap {
-    const TouchList& touches;                     ///< the pairs of every block
-    const std::vector<PairForce>& forces;         ///< of these pairs
-    const NeighborSearch::Reference& reference;   ///< where blocks stood when neighbors were searched
-    Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
-    Vector3 base_step = Vector3::Zero();          ///< what it moves in the step [m]
-    Vector3 gravity = Vector3::Zero();            ///< [m/s²]
-    double h = 0.0;                               ///< length of the step [s]
-    double kick = 0.0;                            ///< from the middle of the step before to that of this one; h, of equal steps [s]
-    VelocityDecay decay{0.0, 0.0};                ///< over `kick`
-    bool prepares = false;                        ///< there is damping or mass scaling, whose work is booked
+    const TouchList& touches;                    ///< the pairs of every block
+    const std::vector<PairForce>& forces;        ///< of these pairs
+    const NeighborSearch::Reference& reference;  ///< where blocks stood when neighbors were searched
+    Vector3 gravity = Vector3::Zero();           ///< [m/s²]
+    double h = 0.0;                              ///< length of the step [s]
+    double kick = 0.0;                           ///< from the middle of the step before to that of this one; h, of equal steps [s]
+    VelocityDecay decay{0.0, 0.0};               ///< over `kick`
+    bool prepares = false;                       ///< there is damping or mass scaling, whose work is booked
+    bool is_turned = false;                      ///< the ground turns, or has done so
 };
 
 /// One leapfrog step of the blocks of a share, several side by side; compiled for AVX-512, for AVX2 and for plain x86-64, same bits. Bodies
-/// hold the poses of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
-/// moved relative to the base since the neighbor list was made [m]; infinite when a position is not a number.
+/// hold the poses of step n as the previous ones, but that of the ground, which has taken its step; the new ones are written. Returns the
+/// largest distance that any point of them may have moved against the ground since the neighbor list was made [m]; infinite when a position
+/// is not a number.
 double move_blocks(const Leap& leap, const Share& share, Bodies& bodies);
 
 // the same for machines with AVX-512

@@ -48,12 +48,42 @@ struct BlockLanes {
         return (w * w + x * x) + (y * y + z * z);
     }
 
+    MUSIM_WIDE static Turn spread(const Quaternion& q) {
+        return {broadcast<Real>(q.w()), broadcast<Real>(q.x()), broadcast<Real>(q.y()), broadcast<Real>(q.z())};
+    }
+    /// The turn b, then a.
+    MUSIM_WIDE static Turn product(const Turn& a, const Turn& b) {
+        return {((a.w * b.w - a.x * b.x) - a.y * b.y) - a.z * b.z, ((a.w * b.x + a.x * b.w) + a.y * b.z) - a.z * b.y,
+                ((a.w * b.y + a.y * b.w) + a.z * b.x) - a.x * b.z, ((a.w * b.z + a.z * b.w) + a.x * b.y) - a.y * b.x};
+    }
+    /// The ground after the step, and its step.
+    struct Ground {
+        Vector position, shift, before;
+        Turn orientation, turn;
+        RotationRows<Real> rows;
+
+        MUSIM_WIDE explicit Ground(const Bodies& bodies)
+            : position(spread(bodies.pose.back().position)),
+              shift(spread(bodies.pose.back().step.shift)),
+              before(position - shift),
+              orientation(spread(bodies.orientation.back())),
+              turn(spread(bodies.pose.back().step.turn)),
+              rows(orientation) {}
+        /// Displacement over the step, beyond its shift, of the point that was at `x` before it.
+        MUSIM_WIDE Vector change(const Vector& x) const {
+            const Vector arm = x - before, half{turn.x, turn.y, turn.z}, across = cross(half, arm);
+            const Vector sum = turn.w * across + cross(half, across);
+            return sum + sum;
+        }
+    };
+
     /// One step of the blocks of a share; how far the farthest drifted from where its neighbors were searched [m], infinite for one that is
     /// lost.
     template <bool prepares>
     MUSIM_WIDE static double move(const Leap& leap, const Share& share, Bodies& bodies) {
         const NeighborSearch::Reference& reference = leap.reference;
-        const Vector base = spread(leap.base_displacement), base_step = spread(leap.base_step), gravity = spread(leap.gravity);
+        const Ground ground(bodies);
+        const Vector gravity = spread(leap.gravity);
         const double push = leap.decay.push;
         const Real zero{}, h = broadcast<Real>(leap.h), kick_time = broadcast<Real>(leap.kick), keep = broadcast<Real>(leap.decay.keep);
         Real farthest = zero;
@@ -103,17 +133,25 @@ struct BlockLanes {
                          choose(turns, free_q.z, before.z)};
             const RotationRows<Real> rows(q);
 
-            const Vector moved = h * v - base_step;
+            Vector moved = h * v - ground.shift;
+            Turn held = before;  // as the block would lie had it turned with the ground
+            if (leap.is_turned) moved = moved - ground.change(x_before), held = product(ground.turn, before);
             const Real diameter = pick(reference.diameter, i);
-            const Real way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, before));
+            const Real way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, held));
             const Real way_before =
                 gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return bodies.pose[i[lane]].step.travel; });
             const Real travel = kUpward * (way_before + way);
             const Vector shift = x - x_before;
             const Turn turn = q.after(before);
 
-            const Vector away = (x - base) - pick(reference.position, i);
-            const Real turned_away = square_of_difference(q, pick(reference.orientation, i));
+            Vector place_on_ground = x - ground.position;
+            Turn turn_on_ground = q;
+            if (leap.is_turned) {
+                place_on_ground = ground.rows.to_body(place_on_ground);
+                turn_on_ground = product({ground.orientation.w, -ground.orientation.x, -ground.orientation.y, -ground.orientation.z}, q);
+            }
+            const Vector away = place_on_ground - pick(reference.position, i);
+            const Real turned_away = square_of_difference(turn_on_ground, pick(reference.orientation, i));
             const Real drift = square_root(dot(away, away)) + diameter * square_root(turned_away);
             farthest = larger_of<Real>(farthest, drift);
             lost |= ~(drift <= drift);

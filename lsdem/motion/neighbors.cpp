@@ -33,14 +33,14 @@ std::int64_t find_cell(double place) {
     return static_cast<std::int64_t>(std::floor(std::clamp(place, -kFarthest, kFarthest)));
 }
 
-/// A block stands on the ground by a face whose normal is within 15° of the vertical [-].
+/// A block stands on the ground by a face whose normal is within 15° of that of the ground [-].
 constexpr double kFaceOnGround = 0.966;
 
 /// Notes the axes along which the boxes of a pair meet face to face.
 void name_axes(const Bodies& bodies, ContactPair& pair) {
-    if (pair.follower == kGround) {
+    if (bodies.is_ground(pair.follower)) {
         Eigen::Index upright = 0;
-        const double cosine = bodies.pose[pair.leader].rotation.row(2).cwiseAbs().maxCoeff(&upright);
+        const double cosine = (bodies.pose[pair.leader].rotation.transpose() * bodies.up()).cwiseAbs().maxCoeff(&upright);
         if (cosine > kFaceOnGround) pair.leader_axis = static_cast<std::uint8_t>(upright);
         return;
     }
@@ -72,7 +72,8 @@ void carry_history(const ContactPair& from, const ContactList& old_list, const C
 }  // namespace
 
 bool leads(const Bodies& bodies, std::uint32_t a, std::uint32_t b) {
-    const double za = bodies.pose[a].position.z(), zb = bodies.pose[b].position.z();
+    const Vector3 up = bodies.up();
+    const double za = bodies.pose[a].position.dot(up), zb = bodies.pose[b].position.dot(up);
     return za < zb || (za == zb && a < b);
 }
 
@@ -89,7 +90,8 @@ NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
 Interface NeighborSearch::make_pair_interface(BlockPair blocks) const {
     const Block& a = model_->blocks[blocks.leader];
     const double area_a = model_->shapes[a.shape].face_area;
-    if (blocks.follower == kGround) return make_interface(find_joint_of_blocks(*model_, blocks.leader, std::nullopt), a.mass, area_a);
+    if (blocks.follower == model_->blocks.size())
+        return make_interface(find_joint_of_blocks(*model_, blocks.leader, std::nullopt), a.mass, area_a);
     const Block& b = model_->blocks[blocks.follower];
     const double mass = a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
     const double area = std::min(area_a, model_->shapes[b.shape].face_area);
@@ -142,15 +144,14 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
     }
 }
 
-void NeighborSearch::add_nodes(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const {
+void NeighborSearch::add_nodes(BlockPair blocks, const Bodies& bodies, ContactList& list) const {
     const BlockNodes nodes = nodes_of(*model_, model_->blocks[blocks.leader]);
-    const bool ground = blocks.follower == kGround;
-    const Matrix3 to_follower = ground ? Matrix3(Matrix3::Identity()) : Matrix3(bodies.pose[blocks.follower].rotation.transpose());
-    const Vector3 origin = ground ? base.displacement : bodies.pose[blocks.follower].position;
+    const bool ground = bodies.is_ground(blocks.follower);
+    const BodyPose& follower = bodies.pose[blocks.follower];
+    const Matrix3 to_follower = follower.rotation.transpose();
     const Matrix3 q = to_follower * bodies.pose[blocks.leader].rotation;
     const Matrix3 q_abs = q.cwiseAbs();
-    const Vector3 t = to_follower * (bodies.pose[blocks.leader].position - origin);
-    const Vector3 half = ground ? Vector3::Zero() : bodies.pose[blocks.follower].half;
+    const Vector3 t = to_follower * (bodies.pose[blocks.leader].position - follower.position);
 
     const auto first = static_cast<std::uint32_t>(list.nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -160,7 +161,7 @@ void NeighborSearch::add_nodes(BlockPair blocks, const Bodies& bodies, const Bas
         } else {
             // a node counts as long as some of its cell lies on the follower, whose edges are rounded
             const Vector3 cell = (1.0 + 2.0 * kEdgeBlend) * nodes.half(i) + nodes.center(i).cwiseAbs();
-            const Vector3 reach = half + Vector3::Constant(skin_) + q_abs * cell;
+            const Vector3 reach = follower.half + Vector3::Constant(skin_) + q_abs * cell;
             if ((y.cwiseAbs() - reach).maxCoeff() > 0.0) continue;
         }
         list.nodes.push_back(static_cast<std::uint32_t>(i));
@@ -176,10 +177,9 @@ void NeighborSearch::add_nodes(BlockPair blocks, const Bodies& bodies, const Bas
 }
 
 bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const {
-    const auto can = [&](std::uint32_t block) { return block == kGround || meets_by_overlap(*model_, model_->blocks[block]); };
+    const auto can = [&](std::uint32_t block) { return bodies.is_ground(block) || meets_by_overlap(*model_, model_->blocks[block]); };
     if (!can(blocks.leader) || !can(blocks.follower)) return false;
-    const auto is_solid = [&](std::uint32_t block) { return block != kGround && bodies.solid[block] != nullptr; };
-    const bool is_exact = is_solid(blocks.leader) || is_solid(blocks.follower);
+    const bool is_exact = bodies.solid[blocks.leader] != nullptr || bodies.solid[blocks.follower] != nullptr;
     list.pairs.push_back({.leader = blocks.leader,
                           .follower = blocks.follower,
                           .first_node = static_cast<std::uint32_t>(list.nodes.size()),
@@ -191,10 +191,15 @@ bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, Contact
     return true;
 }
 
-void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, Losses& finished) {
-    reference_.position = bodies.positions();
-    for (Vector3& position : reference_.position) position -= base.displacement;
-    reference_.orientation = bodies.orientation;
+void NeighborSearch::rebuild(const Bodies& bodies, ContactList& list, Losses& finished) {
+    const BodyPose& ground = bodies.pose.back();
+    const Matrix3 to_ground = ground.rotation.transpose();
+    const Quaternion turn = bodies.orientation.back().conjugate();
+    reference_.position.clear(), reference_.orientation.clear();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        reference_.position.emplace_back(to_ground * (bodies.pose[i].position - ground.position));
+        reference_.orientation.push_back(turn * bodies.orientation[i]);
+    }
 
     std::swap(list, previous_);
     list.pairs.clear();
@@ -215,18 +220,16 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     }
     if (model_->ground.present) {
         for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-            const bool near = bodies.pose[i].position.z() - bodies.find_reach_down(i) <= base.displacement.z() + skin_;
-            if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
+            if (bodies.fixed[i] == 0 && bodies.find_height(i) <= skin_) directed.push_back({i, bodies.ground()});
         }
     }
     std::sort(directed.begin(), directed.end(), is_before);
     for (const BlockPair& p : directed) {
-        if (!add_overlap(p, bodies, list)) add_nodes(p, bodies, base, list);
+        if (!add_overlap(p, bodies, list)) add_nodes(p, bodies, list);
     }
 
     list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(),
                                                       [](const ContactPair& pair) { return pair.law.shear_damping > 0.0; }));
-    list.ground_pairs.clear();
     list.forces.assign(list.pairs.size(), PairForce{});
     list.tallies.assign(list.pairs.size(), PairTally{});
     list.active.resize(list.pairs.size());
@@ -240,7 +243,6 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     auto old = previous_.pairs.begin();
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
-        if (pair.follower == kGround) list.ground_pairs.push_back(static_cast<std::uint32_t>(p));
         while (old != previous_.pairs.end() && is_before(*old, pair)) ++old;
         if (old == previous_.pairs.end() || is_before(pair, *old)) continue;
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
@@ -255,7 +257,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
             carry_history(*old, previous_, pair, list);
         }
     }
-    add_losses(previous_, finished);
+    add_losses(bodies, previous_, finished);
 }
 
 }  // namespace musim::lsdem

@@ -6,23 +6,23 @@
 
 namespace musim::lsdem {
 
-std::vector<Preload> find_preloads(const ContactList& list) {
+std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list) {
     std::vector<Preload> preloads;
     for (const ContactPair& pair : list.pairs) {
         if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
         const OverlapContact& contact = list.overlaps[pair.overlap];
         preloads.push_back({.leader = pair.leader,
-                            .follower = pair.follower_block(),
+                            .follower = bodies.as_block(pair.follower),
                             .friction = -contact.sliding.total(),
                             .couple = contact.turning.total()});
     }
     return preloads;
 }
 
-void preload_contacts(const std::vector<Preload>& preloads, ContactList& list) {
+void preload_contacts(const std::vector<Preload>& preloads, const Bodies& bodies, ContactList& list) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, const Preload*> by_pair;
     for (const Preload& preload : preloads) {
-        const std::uint32_t follower = preload.follower ? static_cast<std::uint32_t>(*preload.follower) : kGround;
+        const std::uint32_t follower = preload.follower ? static_cast<std::uint32_t>(*preload.follower) : bodies.ground();
         by_pair[{static_cast<std::uint32_t>(preload.leader), follower}] = &preload;
     }
     const auto find = [&](std::uint32_t leader, std::uint32_t follower) {

@@ -8,9 +8,9 @@
 namespace musim::lsdem {
 
 /// Friction of all boxes that touch, in the order of the list.
-std::vector<Preload> find_preloads(const ContactList& list);
+std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list);
 
 /// Makes friction of the contacts of a new list hold what `preloads` say; their blocks may be given in either order.
-void preload_contacts(const std::vector<Preload>& preloads, ContactList& list);
+void preload_contacts(const std::vector<Preload>& preloads, const Bodies& bodies, ContactList& list);
 
 }  // namespace musim::lsdem

@@ -36,9 +36,9 @@ void Simulation::Implementation::release(const Release& given) {
     const Block& block = model.blocks[i];
     bodies.pose[i].step.travel += (block.position - bodies.pose[i].position).norm() + search.reference().diameter[i];
     bodies.release(i, model);
-    bodies.pose[i].step.shift = base.pose.elapsed * block.velocity;
+    bodies.pose[i].step.shift = bodies.elapsed * block.velocity;
     bodies.pose[i].step.turn.setIdentity();
-    const detail::VelocityDecay half = decay_over(0.5 * base.pose.elapsed);
+    const detail::VelocityDecay half = decay_over(0.5 * bodies.elapsed);
     bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
     balance.start_energy += 0.5 * block.mass * block.velocity.squaredNorm();
 }

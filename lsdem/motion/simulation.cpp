@@ -28,7 +28,7 @@ void Simulation::Implementation::restart() {
     preparation.active = false;
     preparation.damping_rate = 0.0;
     preparation.mass_scaling.end(bodies, list);
-    base.origin = base.pose.displacement - base.motion.displacement(0.0);
+    base.restart(bodies);
     restart_balance();
     steps = {};
     note_leaving();
@@ -37,9 +37,8 @@ void Simulation::Implementation::restart() {
     health.overstiff.reset();
 }
 
-void Simulation::begin_motion(const std::array<BaseComponent, 3>& motion) {
-    BaseMotion next(motion);
-    implementation_->base.motion = std::move(next);
+void Simulation::begin_motion(const BaseComponents& motion) {
+    implementation_->base.begin(motion);
     implementation_->model.ground.motion = motion;
     implementation_->restart();
 }
@@ -61,12 +60,13 @@ Vector3 Simulation::contact_torque(std::size_t block) const { return implementat
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (s.bodies.fixed.at(block) != 0) return s.bodies.velocity[block];
-    return s.velocity_after(s.decay_over(0.5 * s.base.pose.elapsed), block, contact_force(block));
+    return s.velocity_after(s.decay_over(0.5 * s.bodies.elapsed), block, contact_force(block));
 }
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
-    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.base.pose.elapsed), block, contact_torque(block)));
+    if (s.bodies.fixed.at(block) != 0 && s.base.carries(block)) return base().turn_rates.velocity;
+    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.bodies.elapsed), block, contact_torque(block)));
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {
@@ -76,7 +76,7 @@ std::vector<ContactForce> Simulation::contact_forces() const {
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         if (list.forces[p].force.isZero(0.0)) continue;
         const ContactPair& pair = list.pairs[p];
-        forces.push_back({pair.leader, pair.follower_block(), list.forces[p].force, find_overlap_energy(s.bodies, s.base.pose, list, p)});
+        forces.push_back({pair.leader, s.bodies.as_block(pair.follower), list.forces[p].force, find_overlap_energy(s.bodies, list, p)});
     }
     return forces;
 }
@@ -84,21 +84,22 @@ std::vector<ContactForce> Simulation::contact_forces() const {
 std::vector<JointStiffness> Simulation::joint_stiffness() const {
     const Implementation& s = *implementation_;
     std::vector<JointStiffness> joints;
-    visit_meeting_areas(s.bodies, s.base.pose, s.list, [&](std::size_t index, const MeetingArea& at) {
+    visit_meeting_areas(s.bodies, s.list, [&](std::size_t index, const MeetingArea& at) {
         const ContactPair& pair = s.list.pairs[index];
-        joints.push_back({pair.leader, pair.follower_block(), pair.law.normal_stiffness, pair.law.shear_stiffness, at.area, at.normal,
-                          at.middle, at.second});
+        joints.push_back({pair.leader, s.bodies.as_block(pair.follower), pair.law.normal_stiffness, pair.law.shear_stiffness, at.area,
+                          at.normal, at.middle, at.second});
     });
     return joints;
 }
 
-std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->list); }
+std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->bodies, implementation_->list); }
 
 Kinematics Simulation::kinematics() const {
     Kinematics all;
     all.time = time();
     all.position = implementation_->bodies.positions();
     all.orientation = implementation_->bodies.orientation;
+    all.orientation.pop_back();  // that of the ground
     for (std::size_t i = 0; i < implementation_->bodies.size(); ++i) {
         all.velocity.push_back(velocity(i));
         all.angular_velocity.push_back(angular_velocity(i));
@@ -106,22 +107,33 @@ Kinematics Simulation::kinematics() const {
     return all;
 }
 
-Vector3 Simulation::peak_base_acceleration() const { return implementation_->base.motion.peak_acceleration(time()); }
+Vector3 Simulation::peak_base_acceleration() const { return implementation_->base.motion().peak_acceleration(time()); }
 
 BaseState Simulation::base() const {
-    const BaseMotion& motion = implementation_->base.motion;
-    const Vector3 displacement = implementation_->base.pose.displacement - implementation_->base.origin;
-    if (implementation_->preparation.active) return {displacement};
-    return {displacement, motion.velocity(time()), motion.acceleration(time())};
+    const Implementation& s = *implementation_;
+    BaseState state;
+    state.displacement = s.base.displacement(s.bodies);
+    if (s.base.is_turned()) state.turn = s.base.turn(s.bodies), state.pivot = s.base.pivot_place();
+    if (s.preparation.active) return state;
+    const BaseMotion& motion = s.base.motion();
+    state.velocity = motion.velocity(time());
+    state.acceleration = motion.acceleration(time());
+    if (motion.turns()) state.turn_rates = motion.turn_rates(time());
+    return state;
 }
 
-Vector3 Simulation::base_reaction() const { return implementation_->base.force; }
+Vector3 Simulation::base_reaction() const { return implementation_->base.force(); }
+Vector3 Simulation::base_couple() const {
+    const Implementation& s = *implementation_;
+    const Vector3 arm = s.bodies.pose.back().rotation * s.base.motion().pivot();
+    return s.base.couple() - arm.cross(s.base.force());
+}
 
 Energy Simulation::energy() const { return implementation_->find_exact_energy(); }
 
 Losses Simulation::losses() const {
     Losses losses = implementation_->balance.finished;
-    add_losses(implementation_->list, losses);
+    add_losses(implementation_->bodies, implementation_->list, losses);
     return losses;
 }
 
@@ -156,10 +168,16 @@ std::optional<Divergence> Simulation::divergence() const { return implementation
 
 bool Simulation::has_fallen(std::size_t block) const {
     const Implementation& s = *implementation_;
-    const double sunk =
-        (s.bodies.start_position.at(block).z() - s.bodies.pose[block].position.z()) + (s.base.pose.displacement.z() - s.base.origin.z());
-    const Matrix3 start = s.bodies.start_orientation[block].toRotationMatrix();
-    return lsdem::has_fallen(s.bodies.find_extent(block, start.row(2)), start, s.bodies.pose[block].rotation, sunk);
+    // seen from the ground
+    const auto from = [](const Matrix3& ground, const Vector3& of_ground, const Vector3& x) {
+        return Vector3(ground.transpose() * (x - of_ground));
+    };
+    const BodyPose &ground = s.bodies.pose.back(), &now = s.bodies.pose.at(block);
+    const Matrix3 first_ground = s.bodies.start_orientation.back().toRotationMatrix();
+    const double sunk = from(first_ground, s.bodies.start_position.back(), s.bodies.start_position.at(block)).z() -
+                        from(ground.rotation, ground.position, now.position).z();
+    const Matrix3 start = first_ground.transpose() * s.bodies.start_orientation[block].toRotationMatrix();
+    return lsdem::has_fallen(s.bodies.find_extent(block, start.row(2)), start, ground.rotation.transpose() * now.rotation, sunk);
 }
 
 }  // namespace musim::lsdem

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/finite_turn.hpp"
 #include "lsdem/losses.hpp"
 #include "lsdem/model.hpp"
 #include "lsdem/types.hpp"
@@ -41,11 +42,28 @@ struct Kinematics {
     std::vector<Vector3> angular_velocity;  ///< [rad/s]
 };
 
-/// Motion of the base at one instant, world frame.
+/// Motion of the base at one instant, world frame: of the point about which it turns, and its turn.
 struct BaseState {
-    Vector3 displacement = Vector3::Zero();  ///< that of the motion, which begins at t = 0 [m]
-    Vector3 velocity = Vector3::Zero();      ///< [m/s]
-    Vector3 acceleration = Vector3::Zero();  ///< [m/s²], the value that holds just after this instant
+    Vector3 displacement = Vector3::Zero();    ///< that of the motion, which begins at t = 0 [m]
+    Vector3 velocity = Vector3::Zero();        ///< [m/s]
+    Vector3 acceleration = Vector3::Zero();    ///< [m/s²], the value that holds just after this instant
+    Quaternion turn = Quaternion::Identity();  ///< since the motion began
+    TurnRates turn_rates = {};                 ///< likewise just after this instant
+    Vector3 pivot = Vector3::Zero();           ///< where that point was when the motion began; zero of a base that does not turn [m]
+
+    /// Where a point at `x` now would be, had it moved with the base since the motion began and the base then not moved:
+    /// pivot + turn⁻¹ (x − displacement − pivot) [m].
+    Vector3 seen_from_base(const Vector3& x) const {
+        const Vector3 unshifted = x - displacement, arm = unshifted - pivot;
+        return unshifted + (turn.conjugate() * arm - arm);
+    }
+    /// Velocity of the point of the base that is at `x` now [m/s].
+    Vector3 velocity_at(const Vector3& x) const { return velocity + turn_rates.velocity.cross(x - displacement - pivot); }
+    /// Acceleration of the point of the base that is at `x` now [m/s²].
+    Vector3 acceleration_at(const Vector3& x) const {
+        const Vector3 arm = x - displacement - pivot;
+        return acceleration + turn_rates.acceleration.cross(arm) + turn_rates.velocity.cross(turn_rates.velocity.cross(arm));
+    }
 };
 
 /// A numerical failure is a value, not an exception.
@@ -152,7 +170,7 @@ class Simulation {
     /// counts it anew. Its velocity becomes that of the new motion at once; whoever wants no jump lets both motions meet. Velocities of
     /// blocks, contacts and their histories are kept; model() has the new motion. Throws std::invalid_argument, and changes nothing, when a
     /// sample is not finite or a sample interval not positive.
-    void begin_motion(const std::array<BaseComponent, 3>& motion);
+    void begin_motion(const BaseComponents& motion);
 
     double time() const;         ///< n·dt [s]
     double time_step() const;    ///< dt, whole, whatever substeps it is taken in [s]
@@ -167,7 +185,8 @@ class Simulation {
     BaseState base() const;
     /// Largest absolute acceleration of each component of the base from the start of its motion until now [m/s²].
     Vector3 peak_base_acceleration() const;
-    Vector3 base_reaction() const;                     ///< force of the ground on the blocks now [N]
+    Vector3 base_reaction() const;                     ///< force of the base on the blocks now [N]
+    Vector3 base_couple() const;                       ///< of the base on the blocks now, about its pivot [N·m]
     Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
     Vector3 contact_torque(std::size_t block) const;   ///< of these about its centre of mass, world frame [N·m]
     std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, in the order of their blocks' numbers

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "lsdem/archive.hpp"
-#include "lsdem/base_motion.hpp"
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/contacts.hpp"
 #include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/contact/stiffness_watch.hpp"
 #include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
+#include "lsdem/motion/carrying_base.hpp"
 #include "lsdem/motion/mass_scaling.hpp"
 #include "lsdem/motion/motion_kernel.hpp"
 #include "lsdem/motion/neighbors.hpp"
@@ -29,15 +29,6 @@ void require(bool holds, const char* what);
 
 /// Refuses rates that make no sense with the time step. Throws std::invalid_argument.
 void check_velocity_damping(double rate, double time_step);
-
-/// The base, which carries the structure.
-struct CarryingBase {
-    BaseMotion motion;
-    BasePose pose = {};
-    Vector3 origin = Vector3::Zero();  ///< where the base would be without the present motion [m]
-    Vector3 force = Vector3::Zero();   ///< on the blocks, at step n [N]
-    double work = 0.0;                 ///< done by the base [J]
-};
 
 /// While a structure is prepared the base stands, velocities decay, and blocks may have more inertia than their own.
 struct PreparationAids {
@@ -78,9 +69,8 @@ struct StepWork {
     explicit StepWork(int threads)
         : drift(static_cast<std::size_t>(threads), 0.0), overlap(static_cast<std::size_t>(threads), 0.0), team(threads) {}
 
-    detail::TouchList touches;         ///< what pushes each block
+    detail::TouchList touches;         ///< what pushes each body
     std::size_t end_of_loose = 0;      ///< from this block on all are held
-    std::vector<std::size_t> carried;  ///< held blocks that move as the base does
     detail::SharedWork pairs;          ///< of the list
     std::deque<OverlapBatch> batches;  ///< per thread
     std::vector<double> drift;         ///< per thread, largest of its blocks [m]
@@ -91,7 +81,7 @@ struct StepWork {
 
 struct Simulation::Implementation {
     Model model;
-    double dt;  ///< length of a step [s]; that of the last substep is in base.pose
+    double dt;  ///< length of a step [s]; that of the last substep is Bodies::elapsed
     Bodies bodies;
     CarryingBase base;
     NeighborSearch search;
@@ -116,8 +106,6 @@ struct Simulation::Implementation {
     /// Moves all by `h` [s], to the time at which the base is where its motion has it then.
     void move(double h, double time);
     void update_contacts();
-    /// Gives what moves as the base does its velocity over `h` [s].
-    void carry_blocks(double h);
     /// Looks for a block that has left its place, unless one has.
     void note_leaving();
     void rebuild();

@@ -43,11 +43,11 @@ double Simulation::Implementation::stored_and_kinetic() const {
 /// The state now becomes the one that energies are counted from.
 void Simulation::Implementation::restart_balance() {
     bodies.start_position = bodies.positions();
+    bodies.start_position.push_back(bodies.pose.back().position);
     bodies.start_orientation = bodies.orientation;
     clear_losses(list);
     balance.finished = Losses{.block = std::vector<PairWork>(bodies.size()), .ground = {}};
     std::fill(bodies.preparation_loss.begin(), bodies.preparation_loss.end(), 0.0);
-    base.work = 0.0;
     balance.start = find_exact_energy().balance();
     balance.start_energy = stored_and_kinetic();
 }
@@ -74,11 +74,11 @@ std::size_t Simulation::Implementation::fastest_block() const {
 
 double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
     if (preparation.damping_rate == 0.0 && !preparation.mass_scaling.is_active()) return 0.0;
-    const detail::VelocityDecay decay = decay_over(base.pose.elapsed);
+    const detail::VelocityDecay decay = decay_over(bodies.elapsed);
     const detail::TouchList::Load load = work.touches.sum(i, list.forces);
     const Vector3& velocity = bodies.velocity[i];
     const Vector3& momentum = bodies.momentum[i];
-    const double h = base.pose.elapsed;
+    const double h = bodies.elapsed;
     const Vector3 kick = h * (load.force * bodies.inverse_mass[i] + model.gravity), twist = h * load.torque;
     const Vector3 impulse_per_mass = (velocity_after(decay, i, load.force) - velocity) - kick;
     const Vector3 twist_impulse = (momentum_after(decay, i, load.torque) - momentum) - twist;
@@ -87,7 +87,7 @@ double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
 
 Energy Simulation::Implementation::find_energy() const {
     Energy energy;
-    const detail::VelocityDecay decay = decay_over(base.pose.elapsed);
+    const detail::VelocityDecay decay = decay_over(bodies.elapsed);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const detail::TouchList::Load load = work.touches.sum(i, list.forces);
@@ -108,12 +108,12 @@ Energy Simulation::Implementation::find_energy() const {
     const PairWork before = balance.finished.total();
     energy.friction_loss = before.friction + contacts.work.friction;
     energy.damping_loss = before.damping + contacts.work.damping;
-    energy.base_work = base.work;
+    energy.base_work = base.work();
     return energy;
 }
 
 Energy Simulation::Implementation::find_exact_energy() {
-    refine_overlap_energies(bodies, base.pose, list);
+    refine_overlap_energies(bodies, list);
     return find_energy();
 }
 
@@ -131,7 +131,7 @@ void Simulation::Implementation::check_health() {
     find_non_finite();
     if (health.divergence) return;
     const double time = static_cast<double>(steps.done) * dt;
-    const double put_in = balance.start_energy + std::max(0.0, -gravitational()) + std::abs(base.work);
+    const double put_in = balance.start_energy + std::max(0.0, -gravitational()) + std::abs(base.work());
     const double allowed = kEnergyFactor * put_in + balance.floor;
     const double balance_bound = preparation.mass_scaling.is_active() ? kMassScalingBalanceBound : kBalanceBound;
     const auto out_of_bounds = [&] {
@@ -140,17 +140,16 @@ void Simulation::Implementation::check_health() {
     };
     // what a step knows of the energy of a corner or an edge is rough: before it condemns a run it is found exactly
     if (out_of_bounds()) {
-        refine_overlap_energies(bodies, base.pose, list);
+        refine_overlap_energies(bodies, list);
         if (out_of_bounds()) health.divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
     }
     // blocks with mass scaling have what their contacts ask for
     if (!preparation.mass_scaling.is_active()) {
-        const StiffestBlock stiffest =
-            health.stiffness_watch.find_stiffest(bodies, base.pose, list, health.overstiff ? health.overstiff->used : 1.0);
+        const StiffestBlock stiffest = health.stiffness_watch.find_stiffest(bodies, list, health.overstiff ? health.overstiff->used : 1.0);
         if (stiffest.used > 0.0) health.overstiff = Overstiff{stiffest.block, time, stiffest.used};
     }
     for (std::size_t i = 0; i < bodies.size() && !health.divergence; ++i) {
-        if (bodies.velocity[i].norm() * base.pose.elapsed > kMaxStride * smallest_edge)
+        if (bodies.velocity[i].norm() * bodies.elapsed > kMaxStride * smallest_edge)
             health.divergence = Divergence{Divergence::Kind::too_fast, i, time};
     }
 }

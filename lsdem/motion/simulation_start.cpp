@@ -71,6 +71,15 @@ double find_rounding_energy(const Model& model) {
     return kRoundingFloor * static_cast<double>(model.blocks.size()) * stiffest * rounding * rounding;
 }
 
+/// The blocks that are held to the base.
+std::vector<std::size_t> find_carried(const Model& model) {
+    std::vector<std::size_t> carried;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        if (model.blocks[i].fixed && model.blocks[i].with_base) carried.push_back(i);
+    }
+    return carried;
+}
+
 /// Model that has passed its checks; everything else may rely on it.
 Model checked(Model model, double time_step) {
     check_model(model, time_step);
@@ -91,37 +100,36 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     : model(checked(std::move(given), time_step)),
       dt(time_step),
       bodies(model),
-      base{.motion = BaseMotion(model.ground.motion)},
+      base(model.ground.motion, find_carried(model)),
       search(model),
       preparation{.damping_rate = model.velocity_damping},
       work(choose_threads(threads, model.blocks.size())) {
     balance.finished.block.resize(model.blocks.size());
-    for (int thread = 0; thread < work.team.size(); ++thread) work.batches.emplace_back(bodies, base.pose, list);
+    for (int thread = 0; thread < work.team.size(); ++thread) work.batches.emplace_back(bodies, list);
     smallest_edge = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (model.blocks[i].fixed && model.blocks[i].with_base) work.carried.push_back(i);
-    }
-    for (const BodyPose& pose : bodies.pose) smallest_edge = std::min(smallest_edge, 2.0 * pose.half.minCoeff());
+    for (std::size_t i = 0; i < bodies.size(); ++i) smallest_edge = std::min(smallest_edge, 2.0 * bodies.pose[i].half.minCoeff());
     for (const Block& block : model.blocks) balance.weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
     balance.floor = kEnergyFloor * balance.weight_times_edge + find_rounding_energy(model);
 }
 
 void Simulation::Implementation::start() {
-    base.pose.displacement = base.motion.displacement(0.0);
+    base.put_ground(0.0, bodies);
+    bodies.start_position.back() = bodies.pose.back().position;
+    bodies.start_orientation.back() = bodies.orientation.back();
     rebuild();
     note_leaving();
     // where everything was one step ago, as the initial velocities have it
     const double h = substep_length();
-    base.pose.previous = base.motion.displacement(-h);
-    base.pose.elapsed = h;
-    carry_blocks(h);
+    base.put_ground(-h, bodies);
+    base.move_ground(0.0, h, bodies);
+    base.push_carried(bodies);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies.pose[i].step.shift = h * bodies.velocity[i];
         if (bodies.fixed[i] != 0) continue;
         const Quaternion before = rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -h);
         bodies.pose[i].step.turn = bodies.orientation[i] * before.conjugate();
     }
-    preload_contacts(model.preload, list);
+    preload_contacts(model.preload, bodies, list);
     update_contacts();
     share_work();  // now that it is known what touches
     list.first_step = false;

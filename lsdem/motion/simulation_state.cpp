@@ -25,7 +25,8 @@ void hash_bytes(const Vector3& v, std::uint64_t& hash) {
 
 void Simulation::Implementation::exchange(Archive& archive) {
     double deepest = *std::max_element(work.overlap.begin(), work.overlap.end());
-    archive(bodies, base.pose, base.origin, search.reference(), list, balance.finished, preparation.damping_rate, base.force, base.work);
+    archive(bodies, search.reference(), list, balance.finished, preparation.damping_rate);
+    base.exchange(archive);
     archive(preparation.active, steps.done, steps.rebuilds, steps.skipped, steps.substeps, steps.leaving, balance.start_energy,
             balance.start, steps.checks_at_rest, steps.rest_end, health.divergence, health.overstiff, deepest);
     if (!archive.loads()) return;

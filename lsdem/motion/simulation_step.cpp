@@ -59,21 +59,18 @@ std::vector<detail::Share> share_equally(std::size_t items, int threads, const W
 
 void Simulation::Implementation::move(double h, double time) {
     // velocities are of the middle of the last step, and become those of the middle of this one
-    const double kick = 0.5 * (base.pose.elapsed + h);
-    base.pose.elapsed = h;
-    base.pose.previous = base.pose.displacement;
-    if (!preparation.active) base.pose.displacement = base.origin + base.motion.displacement(time);
-    carry_blocks(h);
+    const double kick = 0.5 * (bodies.elapsed + h);
+    base.move_ground(preparation.active ? std::nullopt : std::optional(time), h, bodies);
+    base.push_carried(bodies);
     const detail::Leap leap{.touches = work.touches,
                             .forces = list.forces,
                             .reference = search.reference(),
-                            .base_displacement = base.pose.displacement,
-                            .base_step = base.pose.displacement - base.pose.previous,
                             .gravity = model.gravity,
                             .h = h,
                             .kick = kick,
                             .decay = decay_over(kick),
-                            .prepares = preparation.damping_rate > 0.0 || preparation.mass_scaling.is_active()};
+                            .prepares = preparation.damping_rate > 0.0 || preparation.mass_scaling.is_active(),
+                            .is_turned = base.is_turned()};
     // while the base stands, what is held stays where it is
     const std::size_t movers = preparation.active ? work.end_of_loose : bodies.size();
     const auto task = [&](int thread) {
@@ -82,15 +79,12 @@ void Simulation::Implementation::move(double h, double time) {
         work.drift[static_cast<std::size_t>(thread)] = detail::move_blocks(leap, share, bodies);
     };
     work.team.run(task);
-}
-
-void Simulation::Implementation::carry_blocks(double h) {
-    for (const std::size_t i : work.carried) bodies.velocity[i] = (base.pose.displacement - base.pose.previous) / h;
+    base.turn_carried(bodies);
 }
 
 void Simulation::Implementation::rebuild() {
     ++steps.rebuilds;
-    search.rebuild(bodies, base.pose, list, balance.finished);
+    search.rebuild(bodies, list, balance.finished);
     if (preparation.mass_scaling.is_active()) preparation.mass_scaling.price(list);
     share_work();
 }
@@ -115,18 +109,13 @@ void Simulation::Implementation::update_contacts() {
         detail::Share piece;
         OverlapBatch& overlaps = work.batches[i];
         while (work.pairs.take(i, piece)) {
-            const double deepest = compute_pairs(model, bodies, base.pose, piece.first, piece.last, list, overlaps);
+            const double deepest = compute_pairs(model, bodies, piece.first, piece.last, list, overlaps);
             work.overlap[i] = std::max(work.overlap[i], deepest);
         }
         work.overlap[i] = std::max(work.overlap[i], overlaps.compute());
     };
     work.team.run(task);
-    Vector3 force = Vector3::Zero();
-    for (const std::uint32_t p : list.ground_pairs) force += list.forces[p].force;
-    // what moves as the base does bears its neighbors for the base
-    for (const std::size_t i : work.carried) force -= work.touches.sum(i, list.forces).force;
-    base.work += 0.5 * (base.force + force).dot(base.pose.displacement - base.pose.previous);
-    base.force = force;
+    base.bear(work.touches, list.forces, bodies);
 }
 
 /// Number of steps from here in which the base stands and nothing moves.
@@ -136,14 +125,14 @@ std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     steps.checks_at_rest = kinetic() <= kEnergyAtRest * balance.weight_times_edge ? steps.checks_at_rest + 1 : 0;
     if (steps.checks_at_rest < kChecksAtRest) return 0;
     const double now = static_cast<double>(steps.done) * dt;
-    const double still = preparation.active ? std::numeric_limits<double>::infinity() : base.motion.still_until(now) - now;
+    const double still = preparation.active ? std::numeric_limits<double>::infinity() : base.motion().still_until(now) - now;
     return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
 }
 
 void Simulation::Implementation::note_leaving() {
     // with mass scaling blocks have the inertia that their contacts ask for, whatever the step
     if (steps.leaving || preparation.mass_scaling.is_active()) return;
-    const auto block = detail::find_block_out_of_place(model, bodies, base.pose, work.touches, list.forces);
+    const auto block = detail::find_block_out_of_place(model, bodies, work.touches, list.forces);
     if (!block) return;
     const std::uint64_t substeps = std::uint64_t{1} << compute_landing_halvings(model);
     steps.leaving = Leaving{*block, static_cast<double>(steps.done) * dt, substeps};

@@ -4,10 +4,8 @@ namespace musim::lsdem {
 
 void exchange(Archive& archive, Bodies& b) {
     for (BodyPose& pose : b.pose) archive(pose.position, pose.rotation, pose.step.turn, pose.step.shift, pose.step.travel);
-    archive(b.orientation, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position, b.start_orientation);
+    archive(b.orientation, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position, b.start_orientation, b.elapsed);
 }
-
-void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous, base.elapsed); }
 
 void exchange(Archive& archive, NeighborSearch::Reference& reference) { archive(reference.position, reference.orientation); }
 
@@ -45,8 +43,8 @@ static void exchange(Archive& archive, OverlapContact& c) {
 }
 
 void exchange(Archive& archive, ContactList& l) {
-    archive(l.pairs, l.nodes, l.history, l.forces, l.overlaps, l.ground_pairs, l.tallies, l.trusted_gap, l.next_check, l.faces,
-            l.first_step, l.demand.wanted, l.demand.asked, l.work);
+    archive(l.pairs, l.nodes, l.history, l.forces, l.overlaps, l.tallies, l.trusted_gap, l.next_check, l.faces, l.first_step,
+            l.demand.wanted, l.demand.asked, l.work);
     l.active.resize(l.pairs.size());
 }
 
@@ -63,7 +61,7 @@ void expect_size(std::size_t size, const Vectors&... vectors) {
 
 void check_pair(const Model& model, const ContactList& list, const ContactPair& pair) {
     const std::size_t blocks = model.blocks.size();
-    expect(pair.leader < blocks && (pair.follower < blocks || pair.follower == kGround));
+    expect(pair.leader < blocks && pair.follower <= blocks);
     const std::size_t first = pair.first_node, end = first + pair.node_count;
     // nodes come in fours
     expect(pair.node_count == 0 || (first % 4 == 0 && (end + 3) / 4 * 4 <= list.nodes.size()));
@@ -78,15 +76,15 @@ void check_pair(const Model& model, const ContactList& list, const ContactPair& 
 void check_restored(const Model& model, const Bodies& bodies, const NeighborSearch::Reference& reference, const ContactList& list,
                     const Losses& losses) {
     const std::size_t blocks = model.blocks.size(), pairs = list.pairs.size(), entries = list.nodes.size();
-    expect_size(blocks, bodies.orientation, bodies.velocity, bodies.momentum, bodies.preparation_loss, bodies.free, bodies.start_position,
-                bodies.start_orientation, reference.position, reference.orientation, losses.block);
+    expect_size(blocks, bodies.velocity, bodies.momentum, bodies.preparation_loss, bodies.free, reference.position, reference.orientation,
+                losses.block);
+    expect_size(blocks + 1, bodies.orientation, bodies.start_position, bodies.start_orientation);
     expect_size(list.demand.wanted ? pairs : 0, list.demand.asked);
     expect_size(pairs, list.forces, list.tallies, list.next_check, list.faces, list.work);
     const ContactHistory& history = list.history;
     expect_size(entries, history.damping_pressure, history.late, history.slip[0], history.slip[1], history.slip[2]);
     expect_size(history.has_viscous() ? entries : 0, history.viscous[0], history.viscous[1], history.viscous[2]);
     for (const ContactPair& pair : list.pairs) check_pair(model, list, pair);
-    for (const std::uint32_t pair : list.ground_pairs) expect(pair < pairs && list.pairs[pair].follower == kGround);
 }
 
 }  // namespace musim::lsdem

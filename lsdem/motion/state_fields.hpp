@@ -11,10 +11,9 @@
 /// here, and the version in kStateKind raised.
 namespace musim::lsdem {
 
-inline constexpr ArchiveKind kStateKind{{'m', 'u', 's', 'i', 'm', 'D', 'E', 'M'}, 11, "saved state"};
+inline constexpr ArchiveKind kStateKind{{'m', 'u', 's', 'i', 'm', 'D', 'E', 'M'}, 12, "saved state"};
 
 void exchange(Archive& archive, Bodies& bodies);
-void exchange(Archive& archive, BasePose& base);
 void exchange(Archive& archive, NeighborSearch::Reference& reference);
 void exchange(Archive& archive, ContactList& list);
 void exchange(Archive& archive, PairWork& work);

@@ -56,18 +56,18 @@ MotionPeaks parse_peaks(const nlohmann::json& json) {
 
 }  // namespace
 
-BaseChanges find_base_changes(const std::array<BaseComponent, 3>& motion, double end) {
+BaseChanges find_base_changes(const BaseComponents& motion, double end) {
     const lsdem::BaseMotion base(motion);
     const Vector3 until_end = base.peak_acceleration(end);
     const Vector3 whole = base.peak_acceleration(std::numeric_limits<double>::infinity());
     BaseChanges changes;
     for (std::size_t axis = 0; axis < changes.size(); ++axis) {
-        const MotionSource& from = motion[axis].source;
+        const MotionSource& from = motion.shift[axis].source;
         const auto a = static_cast<int>(axis);
         if (!from.velocity.empty()) {
-            changes[axis] = compare_with_record(motion[axis], end);
+            changes[axis] = compare_with_record(motion.shift[axis], end);
         } else if (from.peak_acceleration > 0.0) {
-            changes[axis] = compare_with_formula(motion[axis], until_end[a], whole[a], end);
+            changes[axis] = compare_with_formula(motion.shift[axis], until_end[a], whole[a], end);
         }
     }
     return changes;

@@ -22,7 +22,7 @@ struct BaseChange {
 using BaseChanges = std::array<std::optional<BaseChange>, 3>;
 
 /// Changes of a motion that runs until `end` [s], over the part that has run.
-BaseChanges find_base_changes(const std::array<BaseComponent, 3>& motion, double end);
+BaseChanges find_base_changes(const BaseComponents& motion, double end);
 
 /// The same in the units of a prototype: accelerations, velocities and lengths are divided by these factors of each axis.
 BaseChanges scale_back(BaseChanges changes, const std::array<double, 3>& acceleration, const std::array<double, 3>& velocity,

@@ -80,14 +80,13 @@ AxisMotion measure_axis(const BaseMotion& base, const BaseComponent& component, 
 
 }  // namespace
 
-MotionSummary summarize_motion(const Scene& scene, const std::string& name, const std::array<BaseComponent, 3>& base,
-                               const TimePlan& plan) {
+MotionSummary summarize_motion(const Scene& scene, const std::string& name, const BaseComponents& base, const TimePlan& plan) {
     MotionSummary summary{.name = name, .source = describe_source(scene.base_motion), .base = base, .plan = plan};
     const BaseMotion motion(base);
     const BaseChanges changes = find_base_changes(base, plan.duration());
-    for (std::size_t axis = 0; axis < base.size(); ++axis) {
-        if (base[axis].velocity.empty()) continue;
-        summary.axes.push_back(measure_axis(motion, base[axis], axis, plan.duration()));
+    for (std::size_t axis = 0; axis < base.shift.size(); ++axis) {
+        if (base.shift[axis].velocity.empty()) continue;
+        summary.axes.push_back(measure_axis(motion, base.shift[axis], axis, plan.duration()));
         summary.axes.back().change = changes[axis];
     }
     const auto* record = std::get_if<RecordMotion>(&scene.base_motion.source);

@@ -26,12 +26,12 @@ struct MotionSummary {
     std::string source;                                  ///< "record CICLC.v1, ...", "synthetic signal along x", or "none, the base rests"
     std::vector<AxisMotion> axes = {};                   ///< that move
     std::optional<scaling::Similitude> similitude = {};  ///< by which a prototype's record was made the model's
-    std::array<BaseComponent, 3> base = {};
+    BaseComponents base = {};
     TimePlan plan = {};
 };
 
 /// Summary of the motion of a scene that has one. `base`: the ground's motion in the scene's model. Throws scaling::SimilitudeError,
 /// records::ProcessingError.
-MotionSummary summarize_motion(const Scene& scene, const std::string& name, const std::array<BaseComponent, 3>& base, const TimePlan& plan);
+MotionSummary summarize_motion(const Scene& scene, const std::string& name, const BaseComponents& base, const TimePlan& plan);
 
 }  // namespace musim::lsdem

@@ -18,9 +18,9 @@ SettlingSimulation begin_rest_phase(Simulation simulation, const SequenceStage& 
     if (!state.stop.isZero(0.0)) {
         state.clock = simulation.time();
         state.moved = simulation.base().displacement;
-        const std::array<BaseComponent, 3> stop = make_stop(stage.motion, state.stop);
+        const BaseComponents stop = make_stop(stage.motion, state.stop);
         simulation.begin_motion(stop);
-        detail::advance_in_pieces(simulation, static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())),
+        detail::advance_in_pieces(simulation, static_cast<std::uint64_t>(std::ceil(stop.shift[0].dt / simulation.time_step())),
                                   [](std::uint64_t /*taken*/) {});
     }
     return {std::move(simulation), settling.damping_rate};
@@ -60,7 +60,7 @@ RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, co
     return end;
 }
 
-std::array<BaseComponent, 3> find_motion(const SequenceStage& stage, const RestPhaseState& state) {
+BaseComponents find_motion(const SequenceStage& stage, const RestPhaseState& state) {
     return state.stop.isZero(0.0) ? stage.motion : make_stop(stage.motion, state.stop);
 }
 

@@ -30,6 +30,6 @@ RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, co
                           const RestPhaseWatch& watch, const std::optional<RestPhaseState>& from = {});
 
 /// The motion that the base has in a rest phase, for restoring its simulation.
-std::array<BaseComponent, 3> find_motion(const SequenceStage& stage, const RestPhaseState& state);
+BaseComponents find_motion(const SequenceStage& stage, const RestPhaseState& state);
 
 }  // namespace musim::lsdem

@@ -62,9 +62,9 @@ class Scaler {
         scale<scaling::Frequency>(block.angular_velocity);
     }
 
-    void scale_parts(std::array<BaseComponent, 3>& motion) const {
-        for (std::size_t axis = 0; axis < motion.size(); ++axis) {
-            BaseComponent& component = motion[axis];
+    void scale_parts(BaseComponents& motion) const {
+        for (std::size_t axis = 0; axis < motion.shift.size(); ++axis) {
+            BaseComponent& component = motion.shift[axis];
             scale<scaling::Time>(component.start, component.dt);
             multiply(component.velocity, axis == 2 ? similitude_.velocity_vertical() : similitude_.velocity());
             multiply(component.source.velocity, axis == 2 ? similitude_.velocity_vertical() : similitude_.velocity());
@@ -72,6 +72,15 @@ class Scaler {
             multiply(component.source.acceleration, acceleration);
             multiply(component.source.peak_acceleration, acceleration);
         }
+        for (BaseComponent& component : motion.turn) {
+            scale<scaling::Time>(component.start, component.dt);
+            const double rate = 1.0 / similitude_.time();
+            multiply(component.velocity, rate);
+            multiply(component.source.velocity, rate);
+            multiply(component.source.acceleration, rate * rate);
+            multiply(component.source.peak_acceleration, rate * rate);
+        }
+        scale<scaling::Length>(motion.pivot);
     }
 
     void scale_parts(Preload& preload) const {
@@ -122,7 +131,7 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
     return image;
 }
 
-std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude) {
+BaseComponents scale_motion(BaseComponents motion, const scaling::Similitude& similitude) {
     const Scaler scaler(similitude);
     scaler.scale_parts(motion);
     return motion;

@@ -24,6 +24,6 @@ namespace musim::lsdem {
 Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& similitude);
 
 /// The image of a motion of the base: times by λ_t, velocities by λ_v, vertical ones by λ_v,vertical.
-std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude);
+BaseComponents scale_motion(BaseComponents motion, const scaling::Similitude& similitude);
 
 }  // namespace musim::lsdem

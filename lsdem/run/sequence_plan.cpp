@@ -28,16 +28,16 @@ std::string make_folder_name(std::size_t stage, std::size_t stages, const std::s
     return fmt::format("stage-{:0{}}-{}", stage + 1, digits, plain);
 }
 
-double find_peak_velocity(const std::array<BaseComponent, 3>& motion) {
+double find_peak_velocity(const BaseComponents& motion) {
     double peak = 0.0;
-    for (const BaseComponent& c : motion)
+    for (const BaseComponent& c : motion.shift)
         for (const double v : c.velocity) peak = std::max(peak, std::abs(v));
     return peak;
 }
 
-double find_peak_acceleration(const std::array<BaseComponent, 3>& motion) {
+double find_peak_acceleration(const BaseComponents& motion) {
     double peak = 0.0;
-    for (const BaseComponent& c : motion)
+    for (const BaseComponent& c : motion.shift)
         for (std::size_t k = 1; k < c.velocity.size(); ++k) peak = std::max(peak, std::abs(c.velocity[k] - c.velocity[k - 1]) / c.dt);
     return peak;
 }
@@ -95,11 +95,11 @@ SequencePlan plan_sequence(const Scene& scene, Sampling sampling) {
     return plan;
 }
 
-std::array<BaseComponent, 3> make_stop(const std::array<BaseComponent, 3>& motion, const Vector3& velocity) {
+BaseComponents make_stop(const BaseComponents& motion, const Vector3& velocity) {
     const double time = velocity.cwiseAbs().maxCoeff() / find_peak_acceleration(motion);
-    std::array<BaseComponent, 3> stop;
+    BaseComponents stop;
     for (Eigen::Index axis = 0; axis < 3; ++axis)
-        stop[static_cast<std::size_t>(axis)] = {.start = 0.0, .dt = time, .velocity = {velocity[axis], 0.0}};
+        stop.shift[static_cast<std::size_t>(axis)] = {.start = 0.0, .dt = time, .velocity = {velocity[axis], 0.0}};
     return stop;
 }
 

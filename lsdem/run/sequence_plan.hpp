@@ -16,12 +16,12 @@ namespace musim::lsdem {
 
 /// One motion of a sequence.
 struct SequenceStage {
-    std::string name;                     ///< for people
-    std::string folder;                   ///< of its results: stage-01-NAME
-    bool settle = true;                   ///< the structure comes to rest before it
-    Scene scene;                          ///< the scene with this motion alone
-    std::array<BaseComponent, 3> motion;  ///< of the base
-    TimePlan plan;                        ///< of the same time step in all stages
+    std::string name;       ///< for people
+    std::string folder;     ///< of its results: stage-01-NAME
+    bool settle = true;     ///< the structure comes to rest before it
+    Scene scene;            ///< the scene with this motion alone
+    BaseComponents motion;  ///< of the base
+    TimePlan plan;          ///< of the same time step in all stages
 };
 
 /// Several motions that shake one specimen one after another.
@@ -46,6 +46,6 @@ SequencePlan plan_sequence(const Scene& scene, Sampling sampling = Sampling::eve
 
 /// Motion in which the base comes to rest from `velocity` [m/s] before a rest phase: at the largest acceleration of the motion it ends, no
 /// harder than the motion itself. Requires that the motion has an acceleration.
-std::array<BaseComponent, 3> make_stop(const std::array<BaseComponent, 3>& motion, const Vector3& velocity);
+BaseComponents make_stop(const BaseComponents& motion, const Vector3& velocity);
 
 }  // namespace musim::lsdem

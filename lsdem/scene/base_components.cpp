@@ -94,15 +94,15 @@ BaseComponent make_component(const SyntheticSignal& signal, const SignalMotion& 
     return to_component(base.velocity, base.velocity.start());
 }
 
-std::array<BaseComponent, 3> make_components(std::monostate /*still*/) { return {}; }
+BaseComponents make_motion(std::monostate /*still*/) { return {}; }
 
-std::array<BaseComponent, 3> make_components(const SignalMotion& motion) {
-    std::array<BaseComponent, 3> components;
-    BaseComponent& component = components[static_cast<std::size_t>(motion.axis)];
+BaseComponents make_motion(const SignalMotion& motion) {
+    BaseComponents made;
+    BaseComponent& component = made.shift[static_cast<std::size_t>(motion.axis)];
     component = std::visit([&](const auto& signal) { return make_component(signal, motion); }, motion.signal);
     component.start += motion.start.value();
     component.source.peak_acceleration = std::visit([](const auto& signal) { return peak_of(signal); }, motion.signal);
-    return components;
+    return made;
 }
 
 /// Where the record's clock reads zero in the simulation.
@@ -132,7 +132,7 @@ records::GroundMotion read_scene_record(const RecordMotion& motion) {
     }
 }
 
-std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
+BaseComponents make_motion(const RecordMotion& motion) {
     const records::GroundMotion record = read_scene_record(motion);
     const scaling::Time origin = find_time_origin(motion, record);
     records::BaseMotionSettings settings;
@@ -140,19 +140,19 @@ std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
     settings.at_rest = motion.at_rest;
     if (motion.window) settings.window = records::TimeWindow{(*motion.window)[0], (*motion.window)[1]};
 
-    std::array<BaseComponent, 3> components;
+    BaseComponents made;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!motion.components[axis]) continue;
         const records::BaseMotion base = records::make_base_motion(record, *motion.components[axis], settings);
-        components[axis] = to_component(base.velocity, origin);
-        components[axis].source = find_source(base.record);
+        made.shift[axis] = to_component(base.velocity, origin);
+        made.shift[axis].source = find_source(base.record);
     }
-    return components;
+    return made;
 }
 
-void scale(std::array<BaseComponent, 3>& components, const MotionFactors& factors) {
-    for (std::size_t axis = 0; axis < components.size(); ++axis) {
-        BaseComponent& component = components[axis];
+void scale(BaseComponents& motion, const MotionFactors& factors) {
+    for (std::size_t axis = 0; axis < motion.shift.size(); ++axis) {
+        BaseComponent& component = motion.shift[axis];
         component.start *= factors.time;
         component.dt *= factors.time;
         const double velocity = axis == 2 ? factors.velocity_vertical : factors.velocity;
@@ -165,15 +165,15 @@ void scale(std::array<BaseComponent, 3>& components, const MotionFactors& factor
 
 }  // namespace
 
-std::array<BaseComponent, 3> make_base_components(const SceneMotion& motion, const std::string& place) {
+BaseComponents make_base_components(const SceneMotion& motion, const std::string& place) {
     try {
-        auto components = std::visit([](const auto& source) { return make_components(source); }, motion.source);
+        BaseComponents made = std::visit([](const auto& source) { return make_motion(source); }, motion.source);
         if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
             const scaling::Similitude similitude = make_similitude(*record->scale);
-            scale(components, {similitude.time(), similitude.velocity(), similitude.velocity_vertical()});
+            scale(made, {similitude.time(), similitude.velocity(), similitude.velocity_vertical()});
         }
-        scale(components, motion.factors);
-        return components;
+        scale(made, motion.factors);
+        return made;
     } catch (const records::ProcessingError& error) {
         throw error.seen_from<SceneError>(place);
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "lsdem/model.hpp"
@@ -8,13 +7,13 @@
 
 namespace musim::lsdem {
 
-/// Velocity of the base along x, y and z for the kernel [m/s, s].
+/// Motion of the base for the kernel [m/s, rad/s, s].
 ///
 /// Signals are sampled from their closed-form velocity. Records are read, then filtered, integrated and cut (records::make_base_motion);
 /// a window starts at t = 0, and so does the earliest component without one. A record's own scale comes next; the factors of scale_scene
 /// come last, one multiplication a sample, so that factors that are powers of two are exact.
 /// Throws records::ReadError for a record that cannot be used, and SceneError, which names the motion's `place` in the scene, for one that
 /// cannot be processed as asked.
-std::array<BaseComponent, 3> make_base_components(const SceneMotion& motion, const std::string& place = "scene: /base_motion");
+BaseComponents make_base_components(const SceneMotion& motion, const std::string& place = "scene: /base_motion");
 
 }  // namespace musim::lsdem

@@ -28,16 +28,16 @@ std::string name_of(const MotionEntry& entry) {
 /// When the last component ends.
 scaling::Time find_end(const SceneMotion& motion, const std::string& place) {
     double end = 0.0;
-    for (const BaseComponent& c : make_base_components(motion, place)) {
+    for (const BaseComponent& c : make_base_components(motion, place).all()) {
         if (c.velocity.size() > 1) end = std::max(end, c.start + static_cast<double>(c.velocity.size() - 1) * c.dt);
     }
     return scaling::Time::from_value(end);
 }
 
 /// When the last component comes to rest for good, if it does so after `duration` by more than a sample [s].
-std::optional<double> find_end_beyond(const std::array<BaseComponent, 3>& motion, double duration) {
+std::optional<double> find_end_beyond(const BaseComponents& motion, double duration) {
     std::optional<double> end;
-    for (const BaseComponent& c : motion) {
+    for (const BaseComponent& c : motion.all()) {
         // one sample alone is a velocity that is kept
         if (c.velocity.size() < 2) continue;
         const auto last = std::find_if(c.velocity.rbegin(), c.velocity.rend(), [](double v) { return v != 0.0; });

@@ -10,17 +10,15 @@
 namespace musim::lsdem {
 namespace {
 
-using Motion = std::array<BaseComponent, 3>;
-
 /// A step is given at a time that rounding may move by this part of it [-].
 constexpr double kAtStart = 1e-9;
 
 bool is_step(const BaseComponent& component) { return component.velocity.size() == 1; }
 
 /// √(∫t² v² dt/∫v² dt) over the samples of all components; 0 where nothing has a time.
-double find_mean_time(const Motion& motion) {
+double find_mean_time(const BaseComponents& motion) {
     double weighted = 0.0, sum = 0.0;
-    for (const BaseComponent& component : motion) {
+    for (const BaseComponent& component : motion.shift) {
         for (std::size_t k = 0; k < component.velocity.size() && !is_step(component); ++k) {
             const double t = component.start + static_cast<double>(k) * component.dt;
             const double square = component.velocity[k] * component.velocity[k] * component.dt;
@@ -57,18 +55,18 @@ struct Fit {
 struct Fits {
     Fit horizontal, vertical;
 
-    Fits(const Motion& prototype, const BaseMotion& model, double duration, double time) {
+    Fits(const BaseComponents& prototype, const BaseMotion& model, double duration, double time) {
         for (int axis = 0; axis < 3; ++axis) {
-            (axis == 2 ? vertical : horizontal).add(prototype[static_cast<std::size_t>(axis)], model, axis, duration, time);
+            (axis == 2 ? vertical : horizontal).add(prototype.shift[static_cast<std::size_t>(axis)], model, axis, duration, time);
         }
     }
     double misfit() const { return std::max(horizontal.misfit(), vertical.misfit()); }
 };
 
-std::vector<double> find_candidates(const Motion& prototype, const Motion& model, const std::vector<double>& expected) {
+std::vector<double> find_candidates(const BaseComponents& prototype, const BaseComponents& model, const std::vector<double>& expected) {
     std::vector<double> times;
-    for (std::size_t axis = 0; axis < prototype.size(); ++axis) {
-        const BaseComponent &p = prototype[axis], &m = model[axis];
+    for (std::size_t axis = 0; axis < prototype.shift.size(); ++axis) {
+        const BaseComponent &p = prototype.shift[axis], &m = model.shift[axis];
         if (p.velocity.size() > 1 && m.velocity.size() == p.velocity.size()) times.push_back(m.dt / p.dt);
     }
     times.insert(times.end(), expected.begin(), expected.end());
@@ -79,13 +77,13 @@ std::vector<double> find_candidates(const Motion& prototype, const Motion& model
 
 }  // namespace
 
-std::optional<BaseShaking> measure_base_shaking(const Motion& prototype, const Motion& model, double duration,
+std::optional<BaseShaking> measure_base_shaking(const BaseComponents& prototype, const BaseComponents& model, double duration,
                                                 const std::vector<double>& expected) {
     bool has_time = false;
-    for (std::size_t axis = 0; axis < prototype.size(); ++axis) {
-        const BaseComponent &p = prototype[axis], &m = model[axis];
+    for (std::size_t axis = 0; axis < prototype.shift.size(); ++axis) {
+        const BaseComponent &p = prototype.shift[axis], &m = model.shift[axis];
         if (p.velocity.empty() != m.velocity.empty() || is_step(p) != is_step(m)) return std::nullopt;
-        has_time = has_time || prototype[axis].velocity.size() > 1;
+        has_time = has_time || prototype.shift[axis].velocity.size() > 1;
     }
     const BaseMotion moves(model);
     std::optional<double> best;

@@ -25,7 +25,7 @@ inline constexpr double kMeasuredFactor = 1e-4;
 /// The factors between two motions of the base, up to `duration` of the prototype's [s]. τ is the ratio of sampling intervals, one of
 /// `expected`, or that of the root mean square times of v²: whichever leaves the least difference. ν is by least squares over the
 /// prototype's samples. Nothing when the model does not move as the prototype does: other directions, or a difference above kSameShaking.
-std::optional<BaseShaking> measure_base_shaking(const std::array<BaseComponent, 3>& prototype, const std::array<BaseComponent, 3>& model,
-                                                double duration, const std::vector<double>& expected);
+std::optional<BaseShaking> measure_base_shaking(const BaseComponents& prototype, const BaseComponents& model, double duration,
+                                                const std::vector<double>& expected);
 
 }  // namespace musim::lsdem

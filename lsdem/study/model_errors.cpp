@@ -48,7 +48,8 @@ void inject(ModelError error, double size, Model& model) {
             model.gravity *= factor;
             return;
         case ModelError::record_step:
-            for (BaseComponent& along : model.ground.motion) along.dt *= factor;
+            for (BaseComponent& along : model.ground.motion.shift) along.dt *= factor;
+            for (BaseComponent& about : model.ground.motion.turn) about.dt *= factor;
             return;
         case ModelError::absolute_tolerance:
             for (Block& block : model.blocks) {

@@ -45,8 +45,9 @@ MadeOf compare_first_blocks(const Scene& prototype, const Scene& model) {
             .gravity = strength(model) / strength(prototype)};
 }
 
-bool moves(const std::array<BaseComponent, 3>& motion) {
-    return std::any_of(motion.begin(), motion.end(), [](const BaseComponent& component) { return !component.velocity.empty(); });
+bool moves(const BaseComponents& motion) {
+    const auto components = motion.all();
+    return std::any_of(components.begin(), components.end(), [](const BaseComponent& component) { return !component.velocity.empty(); });
 }
 
 /// The law by which a model's scene scales its record, and what it gives besides what a model is made of; nothing where it names none, or

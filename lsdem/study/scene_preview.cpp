@@ -221,7 +221,7 @@ class Preview {
             for (const AxisMotion& axis : motion.axes) {
                 PlotSeries& curve = series[axis.axis];
                 curve.label = fmt::format("along {}", axis.axis);
-                add_acceleration(motion.base[static_cast<std::size_t>(axis.axis - 'x')], start, motion.plan.duration(), curve);
+                add_acceleration(motion.base.shift[static_cast<std::size_t>(axis.axis - 'x')], start, motion.plan.duration(), curve);
             }
             start += motion.plan.duration();
         }

@@ -96,7 +96,7 @@ AccuracyOutcome run_slide(const AccuracySetting& setting) {
     const Quaternion lying(Eigen::AngleAxisd(0.5 * kPi, Vector3::UnitY()));
     model.blocks.push_back(make_block(wood, {0.0, 0.0, 0.5 * wood.size.x() - sunk}, lying));
     model.blocks[0].rotation_locked = true;
-    model.ground.motion[0] = {0.0, kDuration, {0.0, kAcceleration * kDuration}};
+    model.ground.motion.shift[0] = {0.0, kDuration, {0.0, kAcceleration * kDuration}};
     const double omega = std::sqrt(wood.shear_stiffness / wood.face_area() * area / wood.mass()), limit = wood.friction * kGravity;
     const double expected = compute_pulse_slip(kAcceleration, kDuration, limit, omega);
 
@@ -249,7 +249,7 @@ AccuracyOutcome run_wave(const AccuracySetting& setting) {
     Model model = make_column(wood, setting, kCount, true);
     // small enough for no joint to open: V/ω0 is a tenth of the least overlap
     const double speed = 0.1 * omega * wood.mass() * kGravity / wood.normal_stiffness;
-    model.ground.motion[2] = {0.0, 0.0, {speed}};
+    model.ground.motion.shift[2] = {0.0, 0.0, {speed}};
 
     MeteredSimulation run(model, setting);
     Simulation& s = run.simulation();

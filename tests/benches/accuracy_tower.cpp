@@ -62,7 +62,7 @@ BaseComponent make_earthquake(const std::filesystem::path& record, const AxisCom
         description = fmt::format("{}, {}", record.filename().string(), steps.front());
     }
     scene.base_motion.factors = {mini_scale().time(), mini_scale().velocity()};
-    return make_base_components(scene.base_motion)[0];
+    return make_base_components(scene.base_motion).shift[0];
 }
 
 /// The part of a motion from `start` to `start + duration` [s], from rest.
@@ -180,7 +180,7 @@ TopMotion MiniTower::run(const AccuracySetting& setting, bool copy) const {
 
     TopMotion motion;
     for (const BaseComponent& part : motions_) {
-        specimen.model.ground.motion[0] = part;
+        specimen.model.ground.motion.shift[0] = part;
         MeteredSimulation run(specimen.model, interval / static_cast<double>(per_sample));
         TopVelocity velocity;
         for (std::uint64_t k = 0; k < kTopSamples && !run.simulation().divergence(); ++k) {

@@ -106,12 +106,12 @@ lsdem::BaseComponent make_shaking(double amplitude, double phase) {
 }
 
 lsdem::Model shaken(lsdem::Model model) {
-    model.ground.motion = {make_shaking(9.81, 0.0), make_shaking(7.0, 1.5), make_shaking(3.0, 0.7)};
+    model.ground.motion.shift = {make_shaking(9.81, 0.0), make_shaking(7.0, 1.5), make_shaking(3.0, 0.7)};
     return model;
 }
 
 lsdem::Model shaken_along_x(lsdem::Model model) {
-    model.ground.motion[0] = make_shaking(9.81, 0.0);
+    model.ground.motion.shift[0] = make_shaking(9.81, 0.0);
     return model;
 }
 

@@ -11,8 +11,8 @@ using namespace musim::lsdem;
 
 // Velocity 0, 2, 1 m/s at 1.0, 1.5, 2.0 s: areas of triangles and trapezia.
 TEST_CASE("displacement is the exact integral of the piecewise linear velocity") {
-    std::array<BaseComponent, 3> components;
-    components[1] = {1.0, 0.5, {0.0, 2.0, 1.0}};
+    BaseComponents components;
+    components.shift[1] = {1.0, 0.5, {0.0, 2.0, 1.0}};
     const BaseMotion motion(components);
     CHECK(motion.displacement(0.5) == Vector3::Zero());
     CHECK(motion.displacement(1.5).y() == 0.5);
@@ -31,8 +31,8 @@ TEST_CASE("displacement is the exact integral of the piecewise linear velocity")
 }
 
 TEST_CASE("a single sample is a step of the velocity") {
-    std::array<BaseComponent, 3> components;
-    components[0] = {0.25, 0.0, {3.0}};
+    BaseComponents components;
+    components.shift[0] = {0.25, 0.0, {3.0}};
     const BaseMotion motion(components);
     CHECK(motion.velocity(0.2).x() == 0.0);
     CHECK(motion.velocity(0.25).x() == 3.0);
@@ -40,20 +40,20 @@ TEST_CASE("a single sample is a step of the velocity") {
 }
 
 TEST_CASE("the peak acceleration is that of the steepest line between samples up to a time, without sign") {
-    std::array<BaseComponent, 3> components;
-    components[0] = {0.0, 0.5, {0.0, 1.0, -1.0, 0.0}};   // 2, -4, 2
-    components[2] = {-1.0, 0.5, {0.0, 9.0, 9.0, 10.0}};  // 18 before t = 0, 0, 2
+    BaseComponents components;
+    components.shift[0] = {0.0, 0.5, {0.0, 1.0, -1.0, 0.0}};   // 2, -4, 2
+    components.shift[2] = {-1.0, 0.5, {0.0, 9.0, 9.0, 10.0}};  // 18 before t = 0, 0, 2
     const BaseMotion motion(components);
     CHECK(motion.peak_acceleration(10.0) == Vector3(4.0, 0.0, 2.0));
     CHECK(motion.peak_acceleration(0.25) == Vector3(2.0, 0.0, 2.0));
 }
 
 TEST_CASE("base motion refuses samples that make no sense") {
-    std::array<BaseComponent, 3> components;
-    components[0] = {0.0, 0.0, {0.0, 1.0}};
+    BaseComponents components;
+    components.shift[0] = {0.0, 0.0, {0.0, 1.0}};
     CHECK_THROWS_AS(BaseMotion{components}, std::invalid_argument);
-    components[0] = {0.0, 0.1, {0.0, std::numeric_limits<double>::quiet_NaN()}};
+    components.shift[0] = {0.0, 0.1, {0.0, std::numeric_limits<double>::quiet_NaN()}};
     CHECK_THROWS_AS(BaseMotion{components}, std::invalid_argument);
-    components[0] = {std::numeric_limits<double>::infinity(), 0.1, {0.0, 1.0}};
+    components.shift[0] = {std::numeric_limits<double>::infinity(), 0.1, {0.0, 1.0}};
     CHECK_THROWS_AS(BaseMotion{components}, std::invalid_argument);
 }

@@ -139,8 +139,8 @@ void for_all_contacts(Twins twins, const Check& check) {
 
 /// A push of the base that makes blocks slide and rock.
 void shake_layers(Model& model) {
-    model.ground.motion[0] = sample_velocity(0.02, 40, [](double t) { return 0.25 * std::sin(300.0 * t); });
-    model.ground.motion[1] = sample_velocity(0.02, 40, [](double t) { return 0.15 * std::sin(200.0 * t); });
+    model.ground.motion.shift[0] = sample_velocity(0.02, 40, [](double t) { return 0.25 * std::sin(300.0 * t); });
+    model.ground.motion.shift[1] = sample_velocity(0.02, 40, [](double t) { return 0.15 * std::sin(200.0 * t); });
 }
 
 const std::vector<double> kStrains{0.03, -0.02, 0.0, 0.01};
@@ -159,7 +159,7 @@ ContactList find_contacts(const Model& model) {
     Bodies bodies(model);
     ContactList list;
     Losses finished{.block = std::vector<PairWork>(model.blocks.size()), .ground = {}};
-    search.rebuild(bodies, BasePose{}, list, finished);
+    search.rebuild(bodies, list, finished);
     return list;
 }
 

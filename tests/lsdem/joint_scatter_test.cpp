@@ -42,7 +42,7 @@ double mean_product(const std::vector<double>& a, const std::vector<double>& b) 
 Model make_scattered_wall() {
     Model model = make_running_bond(wood(), 8, 12, 9);
     model.scatter = {.friction = 0.1, .seed = 5};
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     return model;
 }
 
@@ -158,8 +158,8 @@ TEST_CASE("a wall whose joints scatter and its model at 1:16 move alike to the l
     small.shear_stiffness /= 256.0;
     Model model = make_running_bond(small, 2, 3, 4);
     model.scatter = prototype.scatter;
-    prototype.ground.motion[0] = velocity_step(1.0);
-    model.ground.motion[0] = velocity_step(0.25);
+    prototype.ground.motion.shift[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(0.25);
     Simulation large(prototype, 0x1p-17), scaled(model, 0x1p-19);
     large.advance(400);
     scaled.advance(400);

@@ -70,9 +70,9 @@ TEST_CASE("motions become scenes of their own, with names, repetitions and durat
     CHECK(stages[2].scene.time.duration.value() == 2.0);
     CHECK(stages[2].scene.motions.empty());
     // each can be built, with its own motion
-    CHECK_FALSE(make_model(stages[0].scene).ground.motion[0].velocity.empty());
-    CHECK(make_model(stages[2].scene).ground.motion[0].velocity.empty());
-    CHECK_FALSE(make_model(stages[2].scene).ground.motion[1].velocity.empty());
+    CHECK_FALSE(make_model(stages[0].scene).ground.motion.shift[0].velocity.empty());
+    CHECK(make_model(stages[2].scene).ground.motion.shift[0].velocity.empty());
+    CHECK_FALSE(make_model(stages[2].scene).ground.motion.shift[1].velocity.empty());
     CHECK(parse_scene(write_scene(stages[2].scene)) == stages[2].scene);
 
     // the motion's own start counts, and the scene's duration comes before the motion's

@@ -89,9 +89,9 @@ void check_models(const Model& scaled, const Model& prototype, const Similitude&
     CHECK(scaled.ground.present == prototype.ground.present);
     check_materials(scaled.ground.material, prototype.ground.material, s);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        CHECK(scaled.ground.motion[axis].start == prototype.ground.motion[axis].start * s.time());
-        CHECK(scaled.ground.motion[axis].dt == prototype.ground.motion[axis].dt * s.time());
-        CHECK(scaled.ground.motion[axis].velocity == times(prototype.ground.motion[axis].velocity, s.velocity()));
+        CHECK(scaled.ground.motion.shift[axis].start == prototype.ground.motion.shift[axis].start * s.time());
+        CHECK(scaled.ground.motion.shift[axis].dt == prototype.ground.motion.shift[axis].dt * s.time());
+        CHECK(scaled.ground.motion.shift[axis].velocity == times(prototype.ground.motion.shift[axis].velocity, s.velocity()));
     }
     check_vector(scaled.gravity, prototype.gravity, s.gravity());
     CHECK(scaled.numerics.contact_nodes == prototype.numerics.contact_nodes);
@@ -186,7 +186,7 @@ TEST_CASE("a twin moves along z by its own factor") {
     const Similitude similitude = make_similitude("mu", {.length = 1.0 / 16.0, .friction = 0.25});
     const auto velocity = [&](const char* direction, std::size_t axis) {
         const Scene model = scale_scene(parse_scene(make_scene_text(kColumn, step + direction + R"("})")), similitude);
-        return make_base_components(model.base_motion)[axis].velocity.front();
+        return make_base_components(model.base_motion).shift[axis].velocity.front();
     };
     CHECK(velocity("x", 0) == 0.032 / 8.0);
     CHECK(velocity("z", 2) == 0.032 / 2.0);

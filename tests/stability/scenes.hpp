@@ -29,8 +29,9 @@ inline Stone at_length(Stone stone, double length_factor) {
 inline void shake(Model& model, double amplitude, double frequency, double duration) {
     const auto samples = static_cast<std::size_t>(std::ceil(200.0 * duration * frequency));
     const double omega = 2.0 * kPi * frequency;
-    model.ground.motion[0] = sample_velocity(duration, samples, [=](double t) { return amplitude / omega * (1.0 - std::cos(omega * t)); });
-    model.ground.motion[1] =
+    model.ground.motion.shift[0] =
+        sample_velocity(duration, samples, [=](double t) { return amplitude / omega * (1.0 - std::cos(omega * t)); });
+    model.ground.motion.shift[1] =
         sample_velocity(duration, samples, [=](double t) { return 0.7 * amplitude / omega * std::sin(1.3 * omega * t); });
 }
 

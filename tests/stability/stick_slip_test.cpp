@@ -24,7 +24,7 @@ TEST_SUITE("stability") {
         model.blocks[0].mass *= kHeavier;
         model.blocks[0].rotation_locked = true;
         const double u0 = 1e-6, period = 4e-3, omega = 2.0 * kPi / period;
-        model.ground.motion[0] =
+        model.ground.motion.shift[0] =
             sample_velocity(kCycles * period, 2000UL * kCycles, [=](double t) { return u0 * omega * std::cos(omega * t); });
 
         std::vector<double> loss;
@@ -47,7 +47,7 @@ TEST_SUITE("stability") {
         const Stone stone = reference_wood();
         Model model = make_lying_block(stone);
         const double period = 0.2, omega = 2.0 * kPi / period, amplitude = kGravity / omega;
-        model.ground.motion[0] =
+        model.ground.motion.shift[0] =
             sample_velocity(kCycles * period, 400UL * kCycles, [=](double t) { return amplitude * std::cos(omega * t); });
         model.blocks[0].velocity.x() = amplitude;
 

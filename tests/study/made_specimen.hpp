@@ -24,7 +24,7 @@ inline Specimen make_column(std::size_t cubes, double friction = 0.5) {
     specimen.model.materials = {material};
     specimen.model.gravity = {0.0, 0.0, -kGravity};
     specimen.model.ground.material = material;
-    specimen.model.ground.motion[0] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, 0.5, 0.0}};
+    specimen.model.ground.motion.shift[0] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, 0.5, 0.0}};
     double top = 0.0;
     for (std::size_t i = 0; i < cubes; ++i) {
         const double carried = kMass * kGravity * static_cast<double>(cubes - i);

@@ -66,8 +66,8 @@ BaseComponent make_base_pulse(std::size_t samples, double dt, double peak, doubl
 }  // namespace
 
 TEST_CASE("the factors between two motions of the base are found, whatever their samples") {
-    const std::array<BaseComponent, 3> prototype{make_base_pulse(201, 0.01, 1.0, 0.5), {}, make_base_pulse(201, 0.01, 0.4, 0.5)};
-    const std::array<BaseComponent, 3> model{make_base_pulse(201, 0.003, 0.2, 0.15), {}, make_base_pulse(201, 0.003, 0.04, 0.15)};
+    const BaseComponents prototype{.shift = {make_base_pulse(201, 0.01, 1.0, 0.5), {}, make_base_pulse(201, 0.01, 0.4, 0.5)}};
+    const BaseComponents model{.shift = {make_base_pulse(201, 0.003, 0.2, 0.15), {}, make_base_pulse(201, 0.003, 0.04, 0.15)}};
     const auto shaking = measure_base_shaking(prototype, model, 3.0, {});
     REQUIRE(shaking);
     CHECK(*shaking->time == relative(0.3, 1e-12));
@@ -75,7 +75,7 @@ TEST_CASE("the factors between two motions of the base are found, whatever their
     CHECK(*shaking->velocity_vertical == relative(0.1, 1e-12));
 
     // sampled anew: linear interpolation between 57 samples a period, (2π/57)²/8 = 0.15 % of an amplitude
-    const std::array<BaseComponent, 3> anew{make_base_pulse(401, 0.0015, 0.2, 0.15), {}, make_base_pulse(401, 0.0015, 0.04, 0.15)};
+    const BaseComponents anew{.shift = {make_base_pulse(401, 0.0015, 0.2, 0.15), {}, make_base_pulse(401, 0.0015, 0.04, 0.15)}};
     const auto of_anew = measure_base_shaking(prototype, anew, 3.0, {0.7, 0.3});
     REQUIRE(of_anew);
     CHECK(*of_anew->time == 0.3);

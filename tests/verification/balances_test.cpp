@@ -78,8 +78,8 @@ TEST_CASE("blocks that tumble into each other keep linear and angular momentum t
 
 TEST_CASE("the energy balance of a shaken and collapsing pile closes" * doctest::test_suite("slow")) {
     Model model = make_loose_pile(wood(), 4, 3);
-    model.ground.motion[0] = sample_velocity(0.4, 400, [](double t) { return 0.1 * std::sin(40.0 * t); });
-    model.ground.motion[2] = sample_velocity(0.4, 400, [](double t) { return 0.03 * std::sin(70.0 * t); });
+    model.ground.motion.shift[0] = sample_velocity(0.4, 400, [](double t) { return 0.1 * std::sin(40.0 * t); });
+    model.ground.motion.shift[2] = sample_velocity(0.4, 400, [](double t) { return 0.03 * std::sin(70.0 * t); });
     Simulation s(model, 0.2 * compute_critical_time_step(model));
     const double start = s.energy().balance();
     advance_to(s, 0.25);

@@ -138,7 +138,7 @@ Front run_front(std::size_t count, Chain chain, double duration) {
     const double omega0 = chain_frequency(stone, chain);
     // small enough for no joint to open: V/ω0 is a tenth of the least overlap
     const double speed = 0.1 * omega0 * stone.weight() / stone.normal_stiffness;
-    model.ground.motion[static_cast<std::size_t>(axis_of(chain))] = velocity_step(speed);
+    model.ground.motion.shift[static_cast<std::size_t>(axis_of(chain))] = velocity_step(speed);
     Front front;
     front.step = 0.02;
     front.velocity.resize(count);

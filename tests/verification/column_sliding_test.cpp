@@ -25,7 +25,7 @@ struct BaseSlip {
 /// A column hit by a step V of the base velocity.
 BaseSlip run_base_step(const Stone& stone, std::size_t count, double speed) {
     Model model = make_resting_column(stone, count, true);
-    model.ground.motion[0] = velocity_step(speed);
+    model.ground.motion.shift[0] = velocity_step(speed);
     Simulation s(model, 0.8 * compute_critical_time_step(model));
     const auto mean_speed = [&](const Simulation& now) { return -now.base_reaction().x() / (static_cast<double>(count) * stone.mass()); };
     BaseSlip result;
@@ -82,7 +82,7 @@ double fit_speed(const std::vector<double>& t, const std::vector<double>& z) {
 /// Speed at which the velocity `level` [m/s] climbs a column between two fractions of its height, over the elastic shear speed.
 double measure_front_speed(const Stone& stone, std::size_t count, double base_speed, double level, double from, double to) {
     Model model = make_resting_column(stone, count, true);
-    model.ground.motion[0] = velocity_step(base_speed);
+    model.ground.motion.shift[0] = velocity_step(base_speed);
     const double frequency = std::sqrt(stone.shear_stiffness / stone.mass());
     Simulation s(model, 0.1 / frequency);
     std::vector<double> before(count, 0.0), times, heights;

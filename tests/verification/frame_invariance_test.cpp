@@ -48,7 +48,7 @@ double compare_motions(const Model& first, const Model& second, const Matrix3& t
 TEST_CASE("an accelerated base and a body force give the same relative motion") {
     Model shaken = make_crooked_column(), pushed = make_crooked_column();
     const double acceleration = 0.7 * kGravity;
-    shaken.ground.motion[0] = constant_acceleration(acceleration, 2.0 * kDuration);
+    shaken.ground.motion.shift[0] = constant_acceleration(acceleration, 2.0 * kDuration);
     pushed.gravity.x() = -acceleration;
     // the scheme follows a constant acceleration exactly
     CHECK(compare_motions(shaken, pushed, Matrix3::Identity()) < 1e-7);

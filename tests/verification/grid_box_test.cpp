@@ -105,7 +105,7 @@ Slid slide_stack(MakeShape make) {
     model.materials[1].friction = 0.18;
     model.blocks[1].material = 1;
     const double duration = 0.04;
-    model.ground.motion[0] = half_sine(1.0 * kGravity, duration);
+    model.ground.motion.shift[0] = half_sine(1.0 * kGravity, duration);
     Simulation s(model, 0.5 * compute_critical_time_step(model));
     advance_to(s, 2.0 * duration);
     const double base = s.base().displacement.x();

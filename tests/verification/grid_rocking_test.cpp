@@ -174,7 +174,7 @@ double shake_drum(double acceleration_g, double duration) {
     model.ground.present = true;
     model.blocks[0].position.z() = 0.5 * kHeight - kFirmSink;
     const double a = acceleration_g * kGravity, rise = 0.1 * duration;
-    model.ground.motion[0] =
+    model.ground.motion.shift[0] =
         sample_velocity(duration, 1000, [=](double t) { return t < rise ? 0.5 * a * t * t / rise : a * (t - 0.5 * rise); });
     Simulation s(model, 0.5 * compute_critical_time_step(model));
     advance_to(s, duration);

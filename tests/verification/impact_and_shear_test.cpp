@@ -117,7 +117,7 @@ TEST_CASE("cyclic shear dissipates the area of the spring-slider's loop") {
     Model model = make_shear_test(stone);
     const double u0 = 1e-6, quarter = 1e-3;
     // triangle: out to +u0, back to −u0, out again
-    model.ground.motion[0] = {0.0, 1e-9, {u0 / quarter}};
+    model.ground.motion.shift[0] = {0.0, 1e-9, {u0 / quarter}};
     const double v = u0 / quarter;
     BaseComponent triangle{0.0, 1e-8, {}};
     const auto samples = static_cast<std::size_t>(std::llround(9.0 * quarter / triangle.dt));
@@ -125,7 +125,7 @@ TEST_CASE("cyclic shear dissipates the area of the spring-slider's loop") {
         const double phase = static_cast<double>(k) * triangle.dt / quarter;
         triangle.velocity.push_back(phase < 1.0 || (phase >= 3.0 && phase < 5.0) || phase >= 7.0 ? v : -v);
     }
-    model.ground.motion[0] = triangle;
+    model.ground.motion.shift[0] = triangle;
     Simulation s(model, kShearStep);
     advance_to(s, 5.0 * quarter);
     const Energy before = s.energy();
@@ -141,7 +141,7 @@ TEST_CASE("shear below the friction limit is elastic and comes back to zero") {
     const Stone stone = reference_wood();
     Model model = make_shear_test(stone);
     const double limit = stone.friction * stone.weight() / stone.shear_stiffness, time = 1e-3;
-    model.ground.motion[0] = sample_velocity(2.0 * time, 2000, [&](double t) {
+    model.ground.motion.shift[0] = sample_velocity(2.0 * time, 2000, [&](double t) {
         return 0.9 * limit * kPi / time * (t < time ? 0.5 : -0.5) * std::abs(std::sin(kPi * t / time));
     });
     Simulation s(model, kShearStep);
@@ -158,8 +158,8 @@ TEST_CASE("a circular slip path keeps friction at its limit and against the moti
     const Stone stone = reference_wood();
     Model model = make_shear_test(stone);
     const double radius = 1e-6, period = 4e-3, omega = 2.0 * kPi / period;
-    model.ground.motion[0] = sample_velocity(2.0 * period, 4000, [=](double t) { return -radius * omega * std::sin(omega * t); });
-    model.ground.motion[1] = sample_velocity(2.0 * period, 4000, [=](double t) { return radius * omega * std::cos(omega * t); });
+    model.ground.motion.shift[0] = sample_velocity(2.0 * period, 4000, [=](double t) { return -radius * omega * std::sin(omega * t); });
+    model.ground.motion.shift[1] = sample_velocity(2.0 * period, 4000, [=](double t) { return radius * omega * std::cos(omega * t); });
     Simulation s(model, kShearStep);
     advance_to(s, period);
     const double limit = stone.friction * stone.weight(), lag = limit / stone.shear_stiffness / radius;

@@ -21,7 +21,7 @@ bool simulation_overturns(const Stone& stone, Pulse pulse, double ratio, double 
     const double alpha = rocking.slenderness(), omega = ratio * rocking.frequency_parameter();
     const double peak = strength * kGravity * std::tan(alpha);
     Model model = make_resting_column(stone, 1);
-    model.ground.motion[0] = pulse == Pulse::half_sine ? half_sine(peak, kPi / omega) : full_sine(peak, 2.0 * kPi / omega);
+    model.ground.motion.shift[0] = pulse == Pulse::half_sine ? half_sine(peak, kPi / omega) : full_sine(peak, 2.0 * kPi / omega);
     Simulation s(model, 0.8 * compute_critical_time_step(model));
     bool leaned = false;
     // it leans back, about −y, while the base moves along +x

@@ -143,7 +143,7 @@ Response shake_from_rest(Stone stone, double friction, double acceleration_g, do
     stone.friction = friction;
     Model model = make_resting_column(stone, 1);
     const double a = acceleration_g * kGravity;
-    model.ground.motion[0] =
+    model.ground.motion.shift[0] =
         sample_velocity(duration, 1200, [=](double t) { return t < kRise ? 0.5 * a * t * t / kRise : a * (t - 0.5 * kRise); });
     Simulation s(model, 0.5 * compute_critical_time_step(model));
     advance_to(s, duration);

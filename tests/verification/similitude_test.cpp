@@ -45,7 +45,7 @@ Model scale_model(const Model& model, const Stone& stone, const ExactScale& scal
         block.velocity *= scale.velocity();
         block.angular_velocity /= scale.time;
     }
-    for (BaseComponent& component : twin.ground.motion) {
+    for (BaseComponent& component : twin.ground.motion.shift) {
         component.dt *= scale.time;
         for (double& v : component.velocity) v *= scale.velocity();
     }
@@ -57,7 +57,7 @@ Model make_shaken_wall(const Stone& stone) {
     Model model = make_running_bond(stone, 2, 3, 4);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double omega = 60.0 + 25.0 * static_cast<double>(axis);
-        model.ground.motion[axis] = sample_velocity(0.25, 250, [=](double t) { return 0.15 * std::sin(omega * t); });
+        model.ground.motion.shift[axis] = sample_velocity(0.25, 250, [=](double t) { return 0.15 * std::sin(omega * t); });
     }
     return model;
 }
@@ -164,7 +164,7 @@ FrictionTwin make_friction_twin(double friction_factor, bool rotation_locked) {
     stone.shear_stiffness *= friction_factor;
     const double time_factor = 1.0 / std::sqrt(friction_factor);
     Model model = make_resting_column(stone, 3, rotation_locked);
-    model.ground.motion[0] = half_sine(1.5 * 0.63 * friction_factor * kGravity, 0.02 * time_factor);
+    model.ground.motion.shift[0] = half_sine(1.5 * 0.63 * friction_factor * kGravity, 0.02 * time_factor);
     return {Simulation(model, 2e-6 * time_factor), time_factor};
 }
 

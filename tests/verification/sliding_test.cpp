@@ -126,7 +126,7 @@ TEST_CASE("a rectangular base pulse moves a block by the slip of Newmark") {
         CAPTURE(c.amplitude_g);
         const double amplitude = c.amplitude_g * kGravity;
         Model model = make_lying_block(reference_wood());
-        model.ground.motion[0] = constant_acceleration(amplitude, c.duration);
+        model.ground.motion.shift[0] = constant_acceleration(amplitude, c.duration);
         Simulation s(model, lying_time_step(model));
         advance(s, 100);
         const double end = find_crossing(s, 0.3, [](const Simulation& now) { return now.velocity(0).x() - now.base().velocity.x(); });
@@ -150,7 +150,7 @@ TEST_CASE("a half-sine base pulse moves a block by the closed-form slip") {
         CAPTURE(c.amplitude_g);
         const double amplitude = c.amplitude_g * kGravity;
         Model model = make_lying_block(reference_wood());
-        model.ground.motion[0] = half_sine(amplitude, c.duration);
+        model.ground.motion.shift[0] = half_sine(amplitude, c.duration);
         Simulation s(model, lying_time_step(model));
         advance_to(s, 0.5 * c.duration);
         const double end = find_crossing(s, 0.3, [](const Simulation& now) { return now.velocity(0).x() - now.base().velocity.x(); });
@@ -181,8 +181,8 @@ TEST_CASE("harmonic base motion slides a block by the peak-to-peak slip of the s
         const double omega = 2.0 * kPi * c.frequency, amplitude = c.amplitude_g * kGravity, period = 1.0 / c.frequency;
         const int cycles = c.friction == 0.30 ? 12 : 2;
         // 1000 samples a cycle: chords of the velocity are short by (ω dt)²/12 = 3e-6
-        model.ground.motion[0] = sample_velocity(cycles * period, static_cast<std::size_t>(cycles) * 1000,
-                                                 [=](double t) { return -amplitude / omega * std::cos(omega * t); });
+        model.ground.motion.shift[0] = sample_velocity(cycles * period, static_cast<std::size_t>(cycles) * 1000,
+                                                       [=](double t) { return -amplitude / omega * std::cos(omega * t); });
         Simulation s(model, lying_time_step(model));
         advance_to(s, (cycles - 1) * period);
         const double loss_before = s.energy().friction_loss;

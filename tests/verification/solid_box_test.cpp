@@ -47,7 +47,7 @@ Model with_form(Model model, const DrawnForm& form) {
 /// A block that stands on another, slides and rocks on it under a pulse of the base.
 Model make_shaken_pair(const Stone& stone) {
     Model model = make_resting_column(stone, 2);
-    model.ground.motion[0] = full_sine(0.8 * kGravity, 0.06);
+    model.ground.motion.shift[0] = full_sine(0.8 * kGravity, 0.06);
     return model;
 }
 

@@ -19,7 +19,7 @@ namespace {
 bool gives_way(const Stone& stone, std::size_t count, double angle, double rise, double hold) {
     Model model = make_resting_column(stone, count);
     const double a = kGravity * std::tan(angle);
-    model.ground.motion[0] =
+    model.ground.motion.shift[0] =
         sample_velocity(rise + hold, 4000, [=](double t) { return t < rise ? 0.5 * a * t * t / rise : a * (t - 0.5 * rise); });
     Simulation s(model, 0.8 * compute_critical_time_step(model));
     while (s.time() < rise + hold) {

@@ -93,7 +93,7 @@ Push open_and_close(MovedBox& box, double w, double depth, double open) {
 
 Model make_shaken_bond() {
     Model model = shortened(make_running_bond(wood(), 2, 3, 5), 0.01);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     return model;
 }
 
@@ -338,7 +338,7 @@ TEST_CASE("renumbering, mirroring and turning a scene change rounding only") {
         block.position.x() = -block.position.x();
         block.orientation = Quaternion(block.orientation.w(), block.orientation.x(), -block.orientation.y(), -block.orientation.z());
     }
-    mirrored.ground.motion[0] = velocity_step(-1.0);
+    mirrored.ground.motion.shift[0] = velocity_step(-1.0);
     CHECK(largest_difference(mirrored, same, Vector3(-1.0, 1.0, 1.0).asDiagonal()) < 1e-11);
 
     Model turned = model;
@@ -347,7 +347,7 @@ TEST_CASE("renumbering, mirroring and turning a scene change rounding only") {
         block.position = quarter * block.position;
         block.orientation = quarter * block.orientation;
     }
-    turned.ground.motion = {BaseComponent{}, velocity_step(1.0), BaseComponent{}};
+    turned.ground.motion.shift = {BaseComponent{}, velocity_step(1.0), BaseComponent{}};
     CHECK(largest_difference(turned, same, quarter.toRotationMatrix()) < 1e-11);
 }
 

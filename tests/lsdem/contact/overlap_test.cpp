@@ -272,7 +272,7 @@ TEST_CASE("the half space is the face of a block that is large enough") {
             b.center.z() = -lowest - 0.01;
             const Body slab{box({20.0, 20.0, 4.0}), Matrix3::Identity(), {0.0, 0.0, -2.0}};
             PlacedSolid ground;
-            place_half_space(0.0, 1.0, ground);
+            place_half_space(Matrix3::Identity(), Vector3::Zero(), 1.0, ground);
             OverlapPieces pieces;
             pieces.cut(ground, b.placed());
             const OverlapLoad load = sum_load(pieces), expected = load_of(slab, b);

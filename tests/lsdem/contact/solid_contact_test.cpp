@@ -205,7 +205,7 @@ TEST_CASE("a hull of 400 faces lies on the ground as its lowest faces bear") {
     REQUIRE(hull.pieces.front().faces.size() == 400);
     const double lowest = -find_reach(hull, -Vector3::UnitZ());
     PlacedSolid ground, body;
-    place_half_space(0.0, 2.0, ground);
+    place_half_space(Matrix3::Identity(), Vector3::Zero(), 2.0, ground);
     place(hull, Matrix3::Identity(), {0.0, 0.0, -lowest - 0.05}, body);
     OverlapPieces pieces;
     pieces.cut(ground, body);

@@ -26,9 +26,11 @@ std::vector<double> dyadic_velocities() {
     return {0.0, 0.03125, 0.0625, 0.03125, -0.015625, -0.0625, -0.03125, 0.015625, 0.046875, 0.015625, 0.0};
 }
 
-using Motion = std::array<BaseComponent, 3>;
+using Motion = BaseComponents;
 
-Motion along_x(std::vector<double> velocities) { return {BaseComponent{.start = 0.0, .dt = kInterval, .velocity = std::move(velocities)}}; }
+Motion along_x(std::vector<double> velocities) {
+    return {.shift = {BaseComponent{.start = 0.0, .dt = kInterval, .velocity = std::move(velocities)}}};
+}
 
 /// A power of two below the critical step [s].
 double dyadic_step(const Model& model) { return std::exp2(std::floor(std::log2(compute_critical_time_step(model)))); }
@@ -91,7 +93,7 @@ TEST_CASE("another motion begins with the clock, the energy balance and the base
     for (const double part : {s.energy().gravitational, s.energy().base_work, s.energy().friction_loss, s.energy().damping_loss})
         CHECK(part == 0.0);
     CHECK(s.statistics().steps == 0);
-    CHECK(s.model().ground.motion[0].velocity.size() == 4);
+    CHECK(s.model().ground.motion.shift[0].velocity.size() == 4);
 
     // the energy balance closes over the new motion; touching and parting within a step book up to a percent wrongly
     // (docs/theory/overlap_contact.md)
@@ -147,7 +149,7 @@ TEST_CASE("an impossible motion is refused, and the one before goes on") {
     Simulation s(model, dyadic_step(model)), other(model, dyadic_step(model));
     s.advance(500);
     CHECK_THROWS_AS(s.begin_motion(along_x({0.0, std::numeric_limits<double>::quiet_NaN()})), std::invalid_argument);
-    CHECK_THROWS_AS(s.begin_motion({BaseComponent{.start = 0.0, .dt = 0.0, .velocity = {0.0, 1.0}}}), std::invalid_argument);
+    CHECK_THROWS_AS(s.begin_motion({.shift = {BaseComponent{.start = 0.0, .dt = 0.0, .velocity = {0.0, 1.0}}}}), std::invalid_argument);
     s.advance(500);
     other.advance(1000);
     CHECK(s.state_hash() == other.state_hash());

@@ -32,7 +32,7 @@ TEST_CASE("one and two and three and four threads give the same bits") {
     const Stone stone = wood();
     Model model = make_running_bond(stone, 8, 12, 9);
     REQUIRE(model.blocks.size() >= 800);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     const double step = 0.8 * compute_critical_time_step(model);
     std::string expected;
     for (int threads = 1; threads <= 4; ++threads) {
@@ -50,7 +50,7 @@ TEST_CASE("one and two and three and four threads give the same bits") {
 TEST_CASE("wide and plain instructions give the same bits" * doctest::test_suite("one-thread")) {
     using musim::lsdem::detail::Instructions;
     Model model = make_running_bond(wood(), 2, 3, 4);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     const Model pile = make_loose_pile(wood(), 2, 2);
     Model by_nodes = model;
     by_nodes.numerics.face_contact = FaceContact::nodes;
@@ -81,7 +81,7 @@ TEST_CASE("small scenes have the pinned state after 400 steps, with any instruct
         const char* state;
     };
     Model wall = make_running_bond(wood(), 2, 3, 4);
-    wall.ground.motion[0] = velocity_step(1.0);
+    wall.ground.motion.shift[0] = velocity_step(1.0);
     Model by_nodes = wall;
     by_nodes.numerics.face_contact = FaceContact::nodes;
     for (const Pinned& scene :
@@ -101,7 +101,7 @@ TEST_CASE("small scenes have the pinned state after 400 steps, with any instruct
 TEST_CASE("blocks of unequal height give the same bits with one and with two threads, wide and plain") {
     using musim::lsdem::detail::Instructions;
     Model model = shortened(make_running_bond(wood(), 4, 10, 8), 0.01);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     const double step = 0.8 * compute_critical_time_step(model);
     const auto hash = [&](int threads) {
         Simulation s(model, step, threads);

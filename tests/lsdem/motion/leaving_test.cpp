@@ -134,7 +134,7 @@ TEST_CASE("a block that lands flat on any face keeps its balance, and gains noth
 
 TEST_CASE("a wall that is shaken and stands takes whole steps") {
     Model model = make_running_bond(wood(), 1, 3, 5);
-    model.ground.motion[0] = sample_velocity(0.1, 100, [](double t) { return 0.05 * std::sin(190.0 * t); });
+    model.ground.motion.shift[0] = sample_velocity(0.1, 100, [](double t) { return 0.05 * std::sin(190.0 * t); });
     Simulation s(model, default_step(model));
     s.advance(10000);
     REQUIRE(s.energy().friction_loss > 0.0);

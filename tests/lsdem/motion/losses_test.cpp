@@ -38,7 +38,7 @@ TEST_CASE("slip in one interface is booked under the block that carries it") {
 
 TEST_CASE("losses sum up to the energy balance's, keep what has left the list and are the same bits for any number of threads") {
     Model model = make_running_bond(wood(), 8, 12, 9);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     const double step = 0.8 * compute_critical_time_step(model);
     Losses one;
     for (const int threads : {1, 2}) {

@@ -19,7 +19,7 @@ Model make_held_column(const Stone& stone) {
     Model model = make_resting_column(stone, 2);
     model.blocks[1].fixed = true;
     model.blocks[1].position.z() += 10.0 * stone.size.z();
-    model.ground.motion[0] = {.start = 0.0, .dt = 1e-3, .velocity = {0.0, 0.05, -0.05, 0.05, 0.0}};
+    model.ground.motion.shift[0] = {.start = 0.0, .dt = 1e-3, .velocity = {0.0, 0.05, -0.05, 0.05, 0.0}};
     return model;
 }
 
@@ -32,7 +32,7 @@ Release put_on_top(const Stone& stone, double gap, double speed) {
 TEST_CASE("a held block that is let go falls from where it was put, at its speed") {
     const Stone stone = wood();
     Model model = make_held_column(stone);
-    model.ground.motion[0] = {};
+    model.ground.motion.shift[0] = {};
     const double dt = 1e-5, gap = 0.5 * stone.size.z(), speed = 0.1;
     SettlingSimulation settling(Simulation(model, dt), 0.0);
     const Simulation& s = settling.state();

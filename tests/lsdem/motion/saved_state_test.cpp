@@ -45,8 +45,8 @@ std::string refusal(const Model& model, const std::string& state) {
 
 /// Shakes the ground hard along x and a little along z, at a pace that fits the papers' block.
 void shake(Model& model) {
-    model.ground.motion[0] = sample_velocity(0.2, 200, [](double t) { return 0.3 * std::sin(90.0 * t); });
-    model.ground.motion[2] = sample_velocity(0.2, 200, [](double t) { return 0.05 * std::sin(140.0 * t); });
+    model.ground.motion.shift[0] = sample_velocity(0.2, 200, [](double t) { return 0.3 * std::sin(90.0 * t); });
+    model.ground.motion.shift[2] = sample_velocity(0.2, 200, [](double t) { return 0.05 * std::sin(140.0 * t); });
 }
 
 struct NamedModel {
@@ -126,7 +126,7 @@ TEST_CASE("a run that is saved and restored again and again ends in the bits of 
 
 TEST_CASE("saved states are the same for any number of threads and can be resumed with another") {
     Model model = make_running_bond(wood(), 8, 12, 9);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     const double step = 0.8 * compute_critical_time_step(model);
     Simulation two(model, step, 2);
     two.advance(60);
@@ -146,7 +146,7 @@ TEST_CASE("saved states are the same for any number of threads and can be resume
 TEST_CASE("time at rest that was being passed over is passed over after a restore, too") {
     Model model = make_resting_column(wood(), 3);
     model.numerics.skip_rest = true;
-    model.ground.motion[0] = {0.2, 1e-3, {0.0, 0.1, 0.1}};
+    model.ground.motion.shift[0] = {0.2, 1e-3, {0.0, 0.1, 0.1}};
     const double step = 0.5 * compute_critical_time_step(model);
     Simulation whole(model, step);
     advance_to(whole, 0.15);
@@ -185,7 +185,7 @@ TEST_CASE("a state leaves the rest of its stream alone") {
 
 TEST_CASE("a state of another model is refused, down to the last bit of any number") {
     Model model = make_running_bond(wood(), 1, 2, 2);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     Simulation s(model, 1e-6);
     s.advance(10);
     const std::string state = save(s);
@@ -203,8 +203,8 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
             m.pairs.push_back({0, {}, m.ground.material});
         },
         [&](Model& m) { m.ground.present = false; },
-        [&](Model& m) { up(m.ground.motion[0].velocity[0]); },
-        [&](Model& m) { up(m.ground.motion[1].start); },
+        [&](Model& m) { up(m.ground.motion.shift[0].velocity[0]); },
+        [&](Model& m) { up(m.ground.motion.shift[1].start); },
         [&](Model& m) { up(m.gravity.x()); },
         [&](Model& m) { m.numerics.contact_nodes = ContactNodes::both; },
         [&](Model& m) { m.numerics.face_contact = FaceContact::nodes; },

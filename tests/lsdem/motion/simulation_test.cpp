@@ -155,8 +155,8 @@ TEST_CASE("a column on grid level sets rests as one on closed-form boxes") {
 // The structure settles, then stands until the base moves, then rocks and slides.
 TEST_CASE("passing over time at rest changes nothing that can be measured") {
     Model model = make_running_bond(wood(), 1, 2, 3);
-    model.ground.motion[0] = half_sine(15.0, 0.02);
-    model.ground.motion[0].start = 0.3;
+    model.ground.motion.shift[0] = half_sine(15.0, 0.02);
+    model.ground.motion.shift[0].start = 0.3;
     const double step = 0.5 * compute_critical_time_step(model);
     Simulation whole(model, step);
     model.numerics.skip_rest = true;

@@ -48,7 +48,7 @@ void check_same_bits(Model model, int looks, std::uint64_t steps_between) {
 
 TEST_CASE("passing over pairs that are apart changes no bit of a shaken wall of unequal blocks") {
     Model model = shortened(make_running_bond(wood(), 3, 8, 8), 0.01);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     check_same_bits(model, 40, 100);
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("passing over pairs that are apart changes no bit of a pile") { check_
 
 TEST_CASE("a saved state knows which pairs are apart and goes on to the same bits") {
     Model model = shortened(make_running_bond(wood(), 3, 8, 8), 0.01);
-    model.ground.motion[0] = velocity_step(1.0);
+    model.ground.motion.shift[0] = velocity_step(1.0);
     Simulation straight(model, 0.8 * compute_critical_time_step(model), 1);
     straight.advance(1500);
     REQUIRE(straight.statistics().apart > model.blocks.size() / 8);

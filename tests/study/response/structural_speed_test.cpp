@@ -158,7 +158,7 @@ TEST_CASE("in a slipping column equal velocities climb at half of the elastic sp
     const double height = kBlocks * stone.size.z(), elastic = stone.size.z() * std::sqrt(stone.shear_stiffness / stone.mass());
     // faster than the lowest block will be within the run, 2.5 l/c_e
     const double base = 8.0 * stone.friction * tests::kGravity * height / elastic;
-    specimen.model.ground.motion[0] = {.start = 0.0, .dt = 0.0, .velocity = {base}};
+    specimen.model.ground.motion.shift[0] = {.start = 0.0, .dt = 0.0, .velocity = {base}};
     const double step = 0.05 * stone.size.z() / elastic;
     const RunResult run = simulate(
         specimen, {.time_step = step, .steps_per_sample = 1, .samples = static_cast<std::uint64_t>(2.5 * height / elastic / step)});

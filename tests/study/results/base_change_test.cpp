@@ -16,13 +16,13 @@ constexpr double kG = 9.80665;  // [m/s²]
 BaseComponent make_component() { return {.start = 0.0, .dt = 0.1, .velocity = {0.0, 0.025 * kG, 0.075 * kG, 0.025 * kG, 0.0}}; }
 
 /// The motion of a record whose peak is 0.6 g, or of a formula that has it.
-std::array<BaseComponent, 3> make_motion(bool of_record) {
-    std::array<BaseComponent, 3> motion;
-    motion[0] = make_component();
-    motion[0].source.peak_acceleration = of_record ? 0.0 : 0.6 * kG;
+BaseComponents make_motion(bool of_record) {
+    BaseComponents motion;
+    motion.shift[0] = make_component();
+    motion.shift[0].source.peak_acceleration = of_record ? 0.0 : 0.6 * kG;
     if (!of_record) return motion;
-    motion[0].source.velocity = motion[0].velocity;
-    motion[0].source.acceleration = {0.1 * kG, 0.4 * kG, 0.6 * kG, -0.6 * kG, 0.1 * kG};
+    motion.shift[0].source.velocity = motion.shift[0].velocity;
+    motion.shift[0].source.acceleration = {0.1 * kG, 0.4 * kG, 0.6 * kG, -0.6 * kG, 0.1 * kG};
     return motion;
 }
 
@@ -63,11 +63,11 @@ TEST_CASE("a changed PGA or PGV is warned of with its reason") {
     CHECK(treated[0].starts_with(
         "the base makes PGA 0.5 g where its record has 0.6 g (-16.7 %) along x (it was cut, filtered or brought to rest); choose"));
     // means of the record's samples as slopes: straight lines alone
-    motion[0].source.acceleration = {0.1 * kG, 0.4 * kG, 0.6 * kG, -1.6 * kG, 1.1 * kG};
+    motion.shift[0].source.acceleration = {0.1 * kG, 0.4 * kG, 0.6 * kG, -1.6 * kG, 1.1 * kG};
     const std::vector<std::string> straight = warn_of_changes(find_base_changes(motion, 1.0));
     REQUIRE(straight.size() == 1);
     CHECK(straight[0].find("(its velocity is linear between samples, so that its acceleration is the mean of two)") != std::string::npos);
-    motion[0].source.acceleration.clear();
+    motion.shift[0].source.acceleration.clear();
     CHECK(warn_of_changes(find_base_changes(motion, 1.0)).empty());
 }
 

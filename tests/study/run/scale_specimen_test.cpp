@@ -175,10 +175,10 @@ TEST_CASE("by any law that keeps friction and stiffness over weight the image is
 
 TEST_CASE("the image of a vertical motion goes by the law's vertical factor") {
     Specimen specimen = make_column(1);
-    for (BaseComponent& component : specimen.model.ground.motion) component = {.start = 1.0, .dt = 1.0, .velocity = {3.0}};
+    for (BaseComponent& component : specimen.model.ground.motion.shift) component = {.start = 1.0, .dt = 1.0, .velocity = {3.0}};
     const Similitude similitude({.length = 1.0 / 16.0}, 1.0, "vertical by half", 0.5);
     const auto motion = scale_specimen(specimen, similitude).model.ground.motion;
-    CHECK(motion[0].velocity[0] == 0.75);
-    CHECK(motion[2].velocity[0] == 0.375);
-    CHECK(motion[2].dt == 0.25);
+    CHECK(motion.shift[0].velocity[0] == 0.75);
+    CHECK(motion.shift[2].velocity[0] == 0.375);
+    CHECK(motion.shift[2].dt == 0.25);
 }

@@ -202,14 +202,14 @@ TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary" * 
 
 TEST_CASE("a base that still moves when a stage ends is stopped before the rest phase, as hard as the stage shook it" *
           doctest::test_suite("one-thread")) {
-    std::array<BaseComponent, 3> motion;
-    motion[0] = {.start = 0.0, .dt = 0.5, .velocity = {0.0, 1.0, 0.5}};
-    motion[2] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, -1.0, 0.0}};
+    BaseComponents motion;
+    motion.shift[0] = {.start = 0.0, .dt = 0.5, .velocity = {0.0, 1.0, 0.5}};
+    motion.shift[2] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, -1.0, 0.0}};
     const auto stop = make_stop(motion, {0.5, 0.0, -0.25});
     // 0.5 m/s at 4 m/s²
-    for (const BaseComponent& c : stop) CHECK(c.dt == 0.125);
-    CHECK(stop[0].velocity == std::vector{0.5, 0.0});
-    CHECK(stop[2].velocity == std::vector{-0.25, 0.0});
+    for (const BaseComponent& c : stop.shift) CHECK(c.dt == 0.125);
+    CHECK(stop.shift[0].velocity == std::vector{0.5, 0.0});
+    CHECK(stop.shift[2].velocity == std::vector{-0.25, 0.0});
 
     const TemporaryFolder folder;
     const std::string push = R"({"base_motion": {"signal": "half_sine", "amplitude": "0.2 g", "duration": "0.06 s"}, "duration": "0.1 s"})";

@@ -30,7 +30,7 @@ TEST_CASE("a run keeps one sample per plan entry, and its spine is the blocks as
 
 TEST_CASE("the ground carries the weight of a stack that rests") {
     Specimen column = make_column(3);
-    column.model.ground.motion[0].velocity.clear();
+    column.model.ground.motion.shift[0].velocity.clear();
     const RunResult run = simulate(column, make_plan(column, 100));
     REQUIRE(run.base_reaction_over_weight.has_value());
     // it starts in equilibrium: only rounding of the overlap, 1e-16 m in 3e-5 m, is left
@@ -61,7 +61,7 @@ TEST_CASE("frames come at every n-th sample, the start included") {
 
 TEST_CASE("a frame's contact forces of a standing column are what each block bears and passes on") {
     Specimen column = make_column(3);
-    column.model.ground.motion[0].velocity.clear();
+    column.model.ground.motion.shift[0].velocity.clear();
     TimePlan plan = make_plan(column, 10);
     plan.samples_per_frame = 10;
     const RunResult run = simulate(column, plan);
