@@ -19,11 +19,12 @@ namespace {
 constexpr const char* kBuiltInRecord = "synthetic";
 
 std::string check_quantity(const std::string& text) {
-    return records::find_sample_quantity(text) ? "" : "\"" + text + "\" is none of acceleration, velocity, displacement";
+    return records::find_sample_quantity(text) ? "" : "\"" + text + "\" is none of " + records::sample_quantity_names();
 }
 
 std::string check_unit(const std::string& text) {
-    return records::find_sample_unit(text) ? "" : "\"" + text + "\" is no unit of a record (known: " + records::sample_unit_names() + ")";
+    return records::find_sample_unit(text) ? ""
+                                           : "\"" + text + "\" is no unit of a record (known: " + records::all_sample_unit_names() + ")";
 }
 
 std::string check_columns(const std::string& text) {
@@ -52,7 +53,7 @@ void TextRecordOptions::add_to(CLI::App& command, CLI::Option* file) {
     constexpr std::uint64_t kMostLines = 1'000'000'000;  // more than a file of the largest size that is read can have
     CLI::Option* const options[] = {
         command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER")->check(above_zero()),
-        command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")
+        command.add_option("--unit", unit, "Unit of a plain text file, e.g. g, cm/s^2 or deg/s (default SI of translations)")
             ->type_name("UNIT")
             ->check(CLI::Validator(check_unit, "")),
         command
@@ -95,8 +96,8 @@ void RecordSourceOptions::add_to(CLI::App& command, CLI::Option* file) {
     CLI::Option* const options[] = {
         command
             .add_option("--quantity", quantity,
-                        "What a text file or counts are, or which series to take of a file with several: acceleration, velocity or "
-                        "displacement")
+                        "What a text file or counts are, or which series to take of a file with several: acceleration, velocity, "
+                        "displacement, angular_acceleration, angular_velocity or angle")
             ->type_name("NAME")
             ->check(CLI::Validator(check_quantity, "")),
         command

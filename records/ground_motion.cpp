@@ -55,7 +55,21 @@ std::optional<double> find_azimuth_deg(std::string_view component_name) {
     return degrees;
 }
 
+bool is_rotation(const Component& component) { return is_rotation(component.series.quantity()); }
+
+bool is_named_as_rotation(std::string_view name) {
+    std::string low;
+    for (const char letter : name) {
+        if (letter != '_' && letter != '-' && letter != ' ') low += detail::to_lower(letter);
+    }
+    constexpr std::string_view kNames[] = {"roll", "pitch", "yaw", "rx", "ry", "rz", "rotx", "roty", "rotz", "thetax", "thetay", "thetaz"};
+    if (std::find(std::begin(kNames), std::end(kNames), low) != std::end(kNames)) return true;
+    if (low.starts_with("rotation")) return true;
+    return low.size() == 3 && low[1] == 'j' && std::string_view("zne123").find(low[2]) != std::string_view::npos;
+}
+
 bool is_vertical(const Component& component) {
+    if (is_rotation(component)) return false;
     if (component.up) return true;
     if (component.azimuth_deg) return false;
     std::string name;

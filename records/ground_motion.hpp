@@ -51,7 +51,14 @@ struct GroundMotion {
 /// Names that are plain column numbers look the same, so only readers of formats that name directions ask.
 std::optional<double> find_azimuth_deg(std::string_view component_name);
 
-/// Whether a component's file or name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
+/// Whether a component's samples are an angle, its rate or acceleration.
+bool is_rotation(const Component& component);
+
+/// Whether a name is that of a rotation, as tables and records have them: roll, pitch, yaw, rx, rot_z, theta_x, and SEED's channels of
+/// rotational seismometers (instrument J: HJE, BJ1).
+bool is_named_as_rotation(std::string_view name);
+
+/// Whether a component's file or name says that it is vertical, and it is no rotation: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
 bool is_vertical(const Component& component);
 
 }  // namespace musim::records

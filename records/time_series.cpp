@@ -39,4 +39,8 @@ void require_quantity(const TimeSeries& series, SampleQuantity wanted, std::stri
                                       to_string(series.quantity())));
 }
 
+void require_acceleration(const TimeSeries& series, std::string_view step) {
+    require_quantity(series, find_quantity(is_rotation(series.quantity()), 2), step);
+}
+
 }  // namespace musim::records

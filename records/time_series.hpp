@@ -11,7 +11,8 @@ namespace musim::records {
 
 /// A uniformly sampled history: sample i belongs to the time start + i·dt.
 ///
-/// Samples are raw doubles in the SI unit of the quantity: m/s² (acceleration), m/s (velocity) or m (displacement).
+/// Samples are raw doubles in the SI unit of the quantity: m/s² (acceleration), m/s (velocity) or m (displacement); of a rotation rad/s²,
+/// rad/s or rad.
 class TimeSeries {
   public:
     /// Throws ProcessingError when dt is not positive and finite, the start not finite, there is no sample or a sample is not finite.
@@ -54,5 +55,8 @@ double find_mean(std::span<const double> samples);
 
 /// Throws ProcessingError, naming `step`, unless the series holds `wanted`.
 void require_quantity(const TimeSeries& series, SampleQuantity wanted, std::string_view step);
+
+/// Throws ProcessingError, naming `step`, unless the series holds accelerations or angular accelerations.
+void require_acceleration(const TimeSeries& series, std::string_view step);
 
 }  // namespace musim::records

@@ -98,18 +98,24 @@ std::optional<records::UtcTime> find_first_sample(const ComponentInfo& info) {
 NamedValues list_peaks(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
     const records::Intensity& intensity = info.intensity;
-    return {{"component", {}, info.component.name},
-            {"quantity", "quantity", records::to_string(series.quantity()), "", -12},
-            {"dt_s", {}, series.dt().value()},
-            {{}, "dt [ms]", 1e3 * series.dt().value(), ".6g", 9},
-            {"npts", "npts", series.size(), "", 7},
-            {"pga_g", "PGA [g]", or_null(size_of(intensity.pga, scaling::kStandardGravity.value())), ".4g", 8},
-            {"pgv_cm_s", "PGV [cm/s]", or_null(size_of(intensity.pgv, 0.01)), ".4g", 9},
-            {"pgd_cm", "PGD [cm]", or_null(size_of(intensity.pgd, 0.01)), ".4g", 8},
-            {"arias_m_s", "Ia [m/s]", or_null(in_si(intensity.arias)), ".4g", 9},
-            {"d5_95_s", "D5-95 [s]", or_null(in_si(intensity.d5_95)), ".4g", 8},
-            {"highpass_hz", {}, or_null(in_si(info.corner))},
-            {{}, "integrated", describe_integration(info.corner), "", -1}};
+    NamedValues values{
+        {"component", {}, info.component.name},
+        {"quantity", "quantity", records::to_string(series.quantity()), "", records::is_rotation(info.component) ? -20 : -12},
+        {"dt_s", {}, series.dt().value()},
+        {{}, "dt [ms]", 1e3 * series.dt().value(), ".6g", 9},
+        {"npts", "npts", series.size(), "", 7}};
+    const auto add = [&](const NamedValues& more) { values.insert(values.end(), more.begin(), more.end()); };
+    if (records::is_rotation(info.component)) {
+        add(list_rotation_peaks(intensity));
+    } else {
+        add({{"pga_g", "PGA [g]", or_null(size_of(intensity.pga, scaling::kStandardGravity.value())), ".4g", 8},
+             {"pgv_cm_s", "PGV [cm/s]", or_null(size_of(intensity.pgv, 0.01)), ".4g", 9},
+             {"pgd_cm", "PGD [cm]", or_null(size_of(intensity.pgd, 0.01)), ".4g", 8},
+             {"arias_m_s", "Ia [m/s]", or_null(in_si(intensity.arias)), ".4g", 9},
+             {"d5_95_s", "D5-95 [s]", or_null(in_si(intensity.d5_95)), ".4g", 8}});
+    }
+    add({{"highpass_hz", {}, or_null(in_si(info.corner))}, {{}, "integrated", describe_integration(info.corner), "", -1}});
+    return values;
 }
 
 nlohmann::json component_json(const ComponentInfo& info) {
@@ -140,18 +146,27 @@ void print_origin(std::span<const ComponentInfo> infos) {
     for (const std::string& step : infos.front().motion.history) print("{:<10} {}\n", "", step);
 }
 
+/// A table of the components that have these values, under the titles of the first.
+template <class Find>
+void print_values(std::span<const ComponentInfo> infos, bool of_rotations, const Find& find) {
+    bool is_first = true;
+    for (const ComponentInfo& info : infos) {
+        const NamedValues values = find(info);
+        if (records::is_rotation(info.component) != of_rotations || values.empty()) continue;
+        if (is_first) print_titles("component", values);
+        print_row(info.component.name, values);
+        is_first = false;
+    }
+}
+
 /// The components of one file: peaks, measures, and groups if there are.
 void print_tables(std::span<const ComponentInfo> infos) {
     const records::GroundMotion& motion = infos.front().motion;
     print("{}: {}{}{}\n", infos.front().file, motion.format, motion.station.empty() ? "" : ", station ", motion.station);
-    print_titles("component", list_peaks(infos.front()));
-    for (const ComponentInfo& info : infos) print_row(info.component.name, list_peaks(info));
+    for (const bool of_rotations : {false, true}) print_values(infos, of_rotations, list_peaks);
     print_origin(infos);
-    print_titles("component", infos.front().measures);
-    for (const ComponentInfo& info : infos) print_row(info.component.name, info.measures);
-    if (infos.front().groups.empty()) return;
-    print_titles("component", infos.front().groups);
-    for (const ComponentInfo& info : infos) print_row(info.component.name, info.groups);
+    print_values(infos, false, [](const ComponentInfo& info) { return info.measures; });
+    print_values(infos, false, [](const ComponentInfo& info) { return info.groups; });
 }
 
 /// Duration, energy and periods of an acceleration; those that another quantity does not give are missing. `intensity` is that of the same
@@ -224,7 +239,9 @@ ComponentInfo make_info(const RecordInfoOptions& options, const std::string& fil
     if (options.highpass) corner = options.highpass->value / scaling::si::seconds;
     const records::Intensity intensity = records::compute_intensity(component.series, corner);
     const records::TimeSeries leveled = records::level_uncorrected(component.series, corner);
-    ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, corner, options.measures), {}};
+    ComponentInfo info{file, motion, component, corner, intensity, {}, {}};
+    if (records::is_rotation(component)) return info;
+    info.measures = measure_record(leveled, intensity, corner, options.measures);
     if (options.structure.any()) {
         info.groups = compute_record_groups(leveled, intensity, records::is_vertical(component), options.structure);
     }
@@ -315,6 +332,8 @@ void add_record_command(CLI::App& app, Action& action) {
         "  musim record info CICLC.v1 --highpass 0.064\n"
         "  musim record info IELC180.AT2 IELC270.AT2 --json\n"
         "  musim record info motion.txt --unit g --dt 0.005\n"
+        "  musim record info phone.csv            # columns such as \"gyro x (deg/s)\" are rotations: their peaks stand in a table of "
+        "their own\n"
         "  musim record info CICLC.v1 --friction 0.59 --length 1.36 --slenderness 17.7      # groups, sliding of a Newmark block\n"
         "  musim record info model.csv --mean-period-band 2.67 214\n"
         "T mean: of the Fourier amplitudes; T PSA and T PSV: of the largest 5 % PSA and PSV among 200 periods from 4 dt to the duration, "

@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/record_source.hpp"
+#include "cli/records/record_peaks.hpp"
 #include "cli/report.hpp"
 #include "lsdem/plot/picture_file.hpp"
 #include "lsdem/report/record_figure.hpp"
@@ -48,7 +49,7 @@ records::GroundMotion load_wanted(const RecordPlotOptions& options, const std::s
     if (!options.component.empty()) motion.components = {records::Component(motion.find_component(options.component))};
     if (options.highpass) motion.integration_corner = options.highpass->value / scaling::si::seconds;
     motion.source = file;
-    return motion;
+    return keep_translations(std::move(motion), file, "not drawn");
 }
 
 void add_components(std::vector<records::ComponentCurves>& list, const records::GroundMotion& prototype,

@@ -11,6 +11,7 @@
 
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/records/record_peaks.hpp"
 #include "lsdem/plot/line_plot.hpp"
 #include "records/formats/csv_cell.hpp"
 #include "records/measures/intensity.hpp"
@@ -77,7 +78,7 @@ SpectrumTable make_rotated_table(const std::string& file, const ComponentPair& p
 }
 
 GroundMotion load_leveled(const RecordSourceOptions& source, const std::string& file) {
-    GroundMotion motion = source.load(file);
+    GroundMotion motion = keep_translations(source.load(file), file, "has no spectrum");
     for (Component& component : motion.components) {
         component.series = records::level_uncorrected(component.series, motion.integration_corner);
     }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
@@ -41,6 +42,23 @@ std::vector<std::string> list_vertical(const records::GroundMotion& motion) {
         if (records::is_vertical(component)) names.push_back(component.name);
     }
     return names;
+}
+
+bool has_rotation(const records::GroundMotion& motion) {
+    return std::any_of(motion.components.begin(), motion.components.end(),
+                       [](const records::Component& component) { return records::is_rotation(component); });
+}
+
+/// Angles keep their size; where heights and widths, or displacements and lengths, scale apart, points of a turned base then do not move as
+/// the prototype's.
+void note_turned_distortion(const scaling::ModelScales& scales) {
+    constexpr double kSame = 1e-9;
+    const auto differs = [&](double factor) { return std::abs(factor / scales.height - 1.0) > kSame; };
+    if (!differs(scales.width) && !differs(scales.displacement) && !differs(scales.displacement_vertical)) return;
+    note_at_end(fmt::format(
+        "musim: note: rotations keep their angles, but law {} scales heights {:.6g}, widths {:.6g} and displacements {:.6g} apart: "
+        "what a turned base does to points away from its axis is not similar",
+        scales.law, scales.height, scales.width, scales.displacement));
 }
 
 /// Uncertain results of a rescaled record, by component.
@@ -136,15 +154,24 @@ int run_rescale(const RescaleOptions& options) {
         print("Law {}: {}time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n", scales.law, describe_lengths(scales),
               scales.time, scales.velocity, scales.acceleration);
         print("{}\n", describe_vertical(list_vertical(prototype), scales));
+        if (has_rotation(prototype)) {
+            print("Rotations: angle 1, angular velocity {:.7g}, angular acceleration {:.7g}\n", scales.angular_velocity(),
+                  scales.angular_acceleration());
+        }
     }
+    if (has_rotation(prototype)) note_turned_distortion(scales);
     for (std::size_t c = 0; c < model.components.size(); ++c) {
         const std::string& name = model.components[c].name;
         const NamedValues before = find_peaks(prototype, prototype.components[c]);
         const NamedValues after = find_peaks(model, model.components[c]);
         const bool is_vertical = records::is_vertical(prototype.components[c]);
-        components.push_back({{"component", name}, {"vertical", is_vertical}, {"prototype", to_json(before)}, {"model", to_json(after)}});
+        components.push_back({{"component", name},
+                              {"vertical", is_vertical},
+                              {"rotation", records::is_rotation(model.components[c])},
+                              {"prototype", to_json(before)},
+                              {"model", to_json(after)}});
         if (!options.json) {
-            if (c == 0) print_titles("", before);
+            print_peak_titles(model, c, before);
             print_row("prototype", before);
             print_row("model", after);
         }
@@ -190,6 +217,7 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "by "
         "the law\n"
         "  musim rescale CICLC.v1 --length 1/25 --law examples/laws/bolted.json --set k_b=1/100 -o model.csv\n"
+        "  musim rescale six.csv --length 1/25 -o model.csv   # columns such as \"ry (deg/s)\": angles times 1, rates over the time\n"
         "Vertical components (Up, UD, Z, HNZ and the like) are scaled by the law's own factor, as `musim scale` gives it: that of gravity "
         "where weights matter.\n"
         "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are reported "

@@ -115,12 +115,12 @@ ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<M
 
 ReportSection make_record_section(const ReportContent& content) {
     ReportSection section{.id = "records", .title = "Records"};
-    HtmlTable table{.caption = "Components; peaks and spectra below",
+    HtmlTable table{.caption = "Components; peaks and spectra of translations below",
                     .heads = {"file", "format", "station", "component", "samples", "step [s]", "duration [s]", "integrated"}};
     // more components than looks are drawn in figures of their own
     const std::size_t most = count_styles(find_styles(false));
     for (const ReportedRecord& record : content.records) {
-        const GroundMotion& motion = record.motion;
+        GroundMotion motion = record.motion;
         for (const records::Component& component : motion.components) {
             table.rows.push_back({{.text = record.label},
                                   {.text = motion.format},
@@ -133,6 +133,8 @@ ReportSection make_record_section(const ReportContent& content) {
                                                ? fmt::format("high-passed at {:.4g} Hz (uncorrected)", motion.integration_corner->value())
                                                : "no filter"}});
         }
+        // peaks and spectra are those of accelerations
+        std::erase_if(motion.components, [](const records::Component& component) { return records::is_rotation(component); });
         for (std::size_t first = 0; first < motion.components.size(); first += most) {
             RecordFigure figure{.damping = records::CurveRequest{}.damping,
                                 .windowed = false,

@@ -64,7 +64,7 @@ void read_unit(const TextFile& file, std::size_t index, At2Header& header) {
         if (!contains_ignoring_case(line, phrase)) continue;
         const std::string_view name = value_after(line, phrase);
         header.unit = find_sample_unit(name);
-        if (!header.unit) {
+        if (!header.unit || is_rotation(header.unit->quantity)) {
             file.fail(index, fmt::format("unit {} is unknown (known: {})", quoted(name), sample_unit_names()), "correct the unit line");
         }
     }

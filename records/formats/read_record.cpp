@@ -132,6 +132,15 @@ bool looks_like_knet(const TextFile& file) {
     return file.line(0).starts_with("Origin Time") && file.line(kStationLine).starts_with("Station Code");
 }
 
+/// Refuses a caller who expects a rotation of a format that has none.
+void refuse_rotation_wanted(const TextFile& file, const ReadOptions& options) {
+    const std::optional<SampleUnit> unit = options.unit ? find_sample_unit(*options.unit) : std::nullopt;
+    const std::optional<SampleQuantity> wanted = options.quantity ? options.quantity : unit ? std::optional(unit->quantity) : std::nullopt;
+    if (!wanted || !is_rotation(*wanted)) return;
+    file.fail(fmt::format("format holds translations only (asked for: {})", to_string(*wanted)),
+              {"correct ", Setting::quantity, " or ", Setting::unit});
+}
+
 /// A text format: how its files are distinguished from others, and who reads them. The first that matches reads the file.
 struct TextFormat {
     bool (*matches)(const TextFile&);
@@ -180,6 +189,7 @@ GroundMotion detail::parse_record(const std::filesystem::path& packed_path, std:
     for (const TextFormat& format : kTextFormats) {
         if (!format.matches(file) || (options.columns && format.is_numbers_alone)) continue;
         if (!format.holds_counts) refuse_sensitivity(path, options);
+        if (!format.holds_counts && !format.is_numbers_alone) refuse_rotation_wanted(file, options);
         if (options.columns) file.fail("columns are given (those of this format are known)", {"drop ", Setting::columns});
         return format.parse(file, options);
     }

@@ -64,6 +64,15 @@ std::string list_units(const ChosenSamples& chosen) {
     return fmt::format("{}", fmt::join(units, ", "));
 }
 
+std::string list_quantities(const ChosenSamples& chosen) {
+    std::vector<std::string_view> quantities;
+    for (const SampleColumn& column : chosen.columns) {
+        const std::string_view name = to_string(column.unit.quantity);
+        if (std::find(quantities.begin(), quantities.end(), name) == quantities.end()) quantities.push_back(name);
+    }
+    return fmt::format("{}", fmt::join(quantities, " and "));
+}
+
 GroundMotion parse_columns(const TextFile& file, const ReadOptions& options) {
     TextTable table = read_text_table(file);
     const TextHeading heading = read_text_heading(file, table);
@@ -84,9 +93,8 @@ GroundMotion parse_columns(const TextFile& file, const ReadOptions& options) {
                                                 take_samples(file, table, chosen.columns[i])}});
     }
     const std::string name = file.path().filename().string();
-    motion.history.push_back(fmt::format("read text from {} as {} in {}{}{}", name, to_string(chosen.columns.front().unit.quantity),
-                                         list_units(chosen), chosen.is_unit_given ? "" : kUnitNotGiven,
-                                         layout.is_series ? ", several values a line" : ""));
+    motion.history.push_back(fmt::format("read text from {} as {} in {}{}{}", name, list_quantities(chosen), list_units(chosen),
+                                         chosen.is_unit_given ? "" : kUnitNotGiven, layout.is_series ? ", several values a line" : ""));
     for (const std::string& note : chosen.notes) motion.history.push_back(fmt::format("{}{}: {}", kReadingNote, name, note));
     return motion;
 }

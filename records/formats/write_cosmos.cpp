@@ -172,6 +172,7 @@ void write_cosmos(const std::filesystem::path& path, const GroundMotion& motion)
     std::string text;
     std::size_t ordinal = 1;
     for (const Component& component : motion.components) {
+        refuse_rotation(path, component, "COSMOS files");
         require_time_step(path, component);
         text += text_lines(motion, component, ordinal) + integer_header(motion, component, ordinal) +
                 real_header(motion, component.series) + data_block(motion, component.series, ordinal);

@@ -27,6 +27,7 @@ char band_letter(double rate) {
 
 char instrument_letter(SampleQuantity quantity) {
     if (quantity == SampleQuantity::acceleration) return 'N';
+    if (quantity == SampleQuantity::angular_velocity) return 'J';
     return quantity == SampleQuantity::velocity ? 'H' : 'Y';
 }
 
@@ -126,6 +127,7 @@ void write_miniseed(const std::filesystem::path& path, const GroundMotion& motio
     std::vector<std::string> codes;
     std::string bytes;
     for (const Component& component : motion.components) {
+        if (component.series.quantity() != SampleQuantity::angular_velocity) refuse_rotation(path, component, "miniSEED streams");
         const std::string code = channel_code(component, codes.size() + 1);
         if (std::find(codes.begin(), codes.end(), code) != codes.end()) {
             throw WriteError(fmt::format("{}: component '{}' would be a second {} (channels are distinguished by their codes); rename it",

@@ -31,12 +31,24 @@ PeerUnit peer_unit(SampleQuantity quantity) {
     return kPeerUnits.at(static_cast<std::size_t>(quantity));
 }
 
+/// The same text of all components' quantities, once, or of each.
+std::string list_of_quantities(const GroundMotion& motion, std::string_view (*text_of)(SampleQuantity)) {
+    const SampleQuantity first = motion.components.front().series.quantity();
+    const bool is_one = std::all_of(motion.components.begin(), motion.components.end(),
+                                    [&](const Component& component) { return component.series.quantity() == first; });
+    std::string list(text_of(first));
+    for (std::size_t i = 1; !is_one && i < motion.components.size(); ++i)
+        list += ',' + std::string(text_of(motion.components[i].series.quantity()));
+    return list;
+}
+
 void require_common_clock(const std::filesystem::path& path, const GroundMotion& motion) {
     if (motion.components.empty()) throw WriteError(fmt::format("{}: record has no components; nothing to write", path.string()));
     const TimeSeries& first = motion.components.front().series;
     for (const Component& component : motion.components) {
         const TimeSeries& series = component.series;
-        if (series.quantity() == first.quantity() && series.start() == first.start() && series.dt() == first.dt()) continue;
+        const bool is_beside = series.quantity() == first.quantity() || is_rotation(series.quantity()) != is_rotation(first.quantity());
+        if (is_beside && series.start() == first.start() && series.dt() == first.dt()) continue;
         throw WriteError(
             fmt::format("{}: component '{}' differs from '{}' in quantity, start or time step (columns share one clock); "
                         "write them to separate files",
@@ -46,9 +58,10 @@ void require_common_clock(const std::filesystem::path& path, const GroundMotion&
 
 std::string csv_header(const GroundMotion& motion) {
     const TimeSeries& first = motion.components.front().series;
-    std::string text = fmt::format("{}\n# event: {}\n# station: {}\n# quantity: {}\n# unit: {}\n# start_s: {}\n# dt_s: {}\n",
-                                   detail::kMusimCsvTitle, one_line(motion.event, true), one_line(motion.station, true),
-                                   to_string(first.quantity()), si_unit_name(first.quantity()), first.start().value(), first.dt().value());
+    std::string text =
+        fmt::format("{}\n# event: {}\n# station: {}\n# quantity: {}\n# unit: {}\n# start_s: {}\n# dt_s: {}\n", detail::kMusimCsvTitle,
+                    one_line(motion.event, true), one_line(motion.station, true), list_of_quantities(motion, &to_string),
+                    list_of_quantities(motion, &si_unit_name), first.start().value(), first.dt().value());
     if (motion.time_zero) text += fmt::format("# time_zero_utc: {}\n", to_string(*motion.time_zero));
     if (motion.integration_corner) text += fmt::format("# integration_corner_hz: {}\n", motion.integration_corner->value());
     for (const std::string& step : motion.history) text += fmt::format("# history: {}\n", one_line(step, true));
@@ -66,9 +79,16 @@ std::string csv_header(const GroundMotion& motion) {
 
 }  // namespace
 
+void refuse_rotation(const std::filesystem::path& path, const Component& component, std::string_view format) {
+    if (!is_rotation(component)) return;
+    throw WriteError(fmt::format("{}: {} hold no rotations (component {} is {}); write CSV", path.string(), format, component.name,
+                                 to_string(component.series.quantity())));
+}
+
 void write_at2(const std::filesystem::path& path, const GroundMotion& motion, std::string_view component_name) {
     const Component& component = motion.find_component(component_name);
     const TimeSeries& series = component.series;
+    refuse_rotation(path, component, "PEER files");
     const auto& [title, unit] = peer_unit(series.quantity());
     const double si = find_sample_unit(unit)->si;
 

@@ -60,6 +60,12 @@ scaling::Time compute_significant_duration(const TimeSeries& acceleration, doubl
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
     const MotionHistories histories = compute_histories(series, integration_corner);
     Intensity intensity;
+    if (is_rotation(series.quantity())) {
+        if (histories.acceleration) intensity.angular_acceleration = find_peak<scaling::AngularAcceleration>(*histories.acceleration);
+        if (histories.velocity) intensity.angular_velocity = find_peak<scaling::Frequency>(*histories.velocity);
+        intensity.angle = find_peak<scaling::Ratio>(histories.displacement);
+        return intensity;
+    }
     if (histories.acceleration) {
         intensity.pga = find_peak_acceleration(*histories.acceleration);
         intensity.arias = compute_arias_intensity(*histories.acceleration);
@@ -71,14 +77,14 @@ Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Fre
 }
 
 MotionHistories compute_histories(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
-    switch (series.quantity()) {
-        case SampleQuantity::acceleration: {
+    switch (derivative_order(series.quantity())) {
+        case 2: {
             const TimeSeries velocity = integrate_record(series, integration_corner);
             // a high-passed motion has no mean velocity; what is left of the ends of the record would become a drift
             const TimeSeries displacement = integrate(integration_corner ? remove_baseline(velocity, 0) : velocity);
             return {level_uncorrected(series, integration_corner), velocity, displacement};
         }
-        case SampleQuantity::velocity:
+        case 1:
             return {std::nullopt, series, integrate(series)};
         default:
             return {std::nullopt, std::nullopt, series};
@@ -98,10 +104,14 @@ const Component& find_strongest_horizontal(const GroundMotion& motion) {
     const auto& all = motion.components;
     const bool directions_known = std::any_of(all.begin(), all.end(), [](const auto& c) { return c.azimuth_deg.has_value(); });
     const auto strength = [&](const Component& component) {
-        return directions_known && !component.azimuth_deg
+        return is_rotation(component) || (directions_known && !component.azimuth_deg)
                    ? -1.0
                    : std::abs(find_peak_acceleration(level_uncorrected(component.series, motion.integration_corner)).value.value());
     };
+    if (std::all_of(all.begin(), all.end(), [](const Component& component) { return is_rotation(component); })) {
+        throw ProcessingError(
+            fmt::format("no component is a translation (present: {}); read one with accelerations", motion.component_names()));
+    }
     return *std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return strength(a) < strength(b); });
 }
 

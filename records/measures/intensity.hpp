@@ -35,16 +35,20 @@ struct Intensity {
     std::optional<Peak<scaling::Length>> pgd;
     std::optional<scaling::Velocity> arias;
     std::optional<scaling::Time> d5_95;
+    std::optional<Peak<scaling::AngularAcceleration>> angular_acceleration;  ///< this and the next two of rotations alone
+    std::optional<Peak<scaling::Frequency>> angular_velocity;
+    std::optional<Peak<scaling::Ratio>> angle;  ///< from where the record begins [rad]
 };
 
-/// All measures of a series. Velocity and displacement are trapezoid integrals from zero.
+/// All measures of a series; of a rotation its three peaks. Velocity and displacement are trapezoid integrals from zero.
 ///
 /// With an integration corner (uncorrected records) velocity and displacement come from the samples, their mean taken out since an offset
 /// would ring, high-passed there, order 2, forward and backward (displacement without the velocity's mean); PGA, Arias intensity and
 /// duration from the unfiltered samples above their initial level (level_uncorrected).
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
 
-/// The acceleration, velocity and displacement of one component; what its quantity does not give is left out.
+/// The acceleration, velocity and displacement of one component, of a rotation the angular ones and the angle; what its quantity does not
+/// give is left out.
 struct MotionHistories {
     std::optional<TimeSeries> acceleration;
     std::optional<TimeSeries> velocity;
@@ -62,7 +66,7 @@ MotionHistories compute_histories(const TimeSeries& series, std::optional<scalin
 std::vector<double> compute_arias_share(const TimeSeries& acceleration);
 
 /// The component of largest peak acceleration, among those with a direction where any has one: a record whose file names no directions is
-/// taken as it is. Throws ProcessingError when a component holds no acceleration.
+/// taken as it is. Rotations do not count. Throws ProcessingError when a translation holds no acceleration, and without any.
 const Component& find_strongest_horizontal(const GroundMotion& motion);
 
 }  // namespace musim::records

@@ -62,7 +62,7 @@ scaling::Length compute_spectrum_intensity(const TimeSeries& acceleration, scali
 }
 
 FourierAmplitudes compute_fourier_amplitudes(const TimeSeries& acceleration) {
-    require_quantity(acceleration, SampleQuantity::acceleration, "the Fourier amplitudes");
+    require_acceleration(acceleration, "the Fourier amplitudes");
     const detail::Transform transform(acceleration.samples());
     FourierAmplitudes spectrum;
     const double dt = acceleration.dt().value();

@@ -29,6 +29,13 @@ std::string find_free_name(const GroundMotion& merged, const GroundMotion& file,
     }
 }
 
+/// Refuses components that differ in quantity from the first of their kind, translation or rotation.
+void require_one_kind(const GroundMotion& motion, const Component& component) {
+    const auto is_alike = [&](const Component& other) { return is_rotation(other) == is_rotation(component); };
+    const auto first = std::find_if(motion.components.begin(), motion.components.end(), is_alike);
+    require_quantity(component.series, first->series.quantity(), "aligning components");
+}
+
 bool on_one_clock(const TimeSeries& a, const TimeSeries& b) {
     const double step = a.dt().value();
     return a.size() == b.size() && std::abs(a.dt().value() - b.dt().value()) <= kSameClock * step / static_cast<double>(a.size()) &&
@@ -82,7 +89,7 @@ GroundMotion align(const GroundMotion& motion) {
     scaling::Time dt = motion.components.front().series.dt();
     for (const Component& component : motion.components) {
         dt = std::min(dt, component.series.dt());
-        require_quantity(component.series, motion.components.front().series.quantity(), "aligning components");
+        require_one_kind(motion, component);
     }
     for (Component& component : aligned.components) {
         const TimeSeries& series = component.series;

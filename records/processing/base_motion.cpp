@@ -25,9 +25,9 @@ TimeSeries filter_whole(TimeSeries series, const BaseMotionSettings& settings, s
 }
 
 TimeSeries to_velocity(const TimeSeries& series) {
-    if (series.quantity() == SampleQuantity::acceleration) return integrate(series);
-    if (series.quantity() == SampleQuantity::displacement) return differentiate(series);
-    return series;
+    const int order = derivative_order(series.quantity());
+    if (order == 2) return integrate(series);
+    return order == 0 ? differentiate(series) : series;
 }
 
 TimeSeries cut_to(const TimeSeries& series, const std::optional<TimeWindow>& window) { return window ? cut(series, *window) : series; }
@@ -41,7 +41,7 @@ TimeSeries count_from_first(const TimeSeries& velocity) {
 }
 
 RecordedMotion find_recorded(const TimeSeries& series, const BaseMotionSettings& settings) {
-    const bool is_acceleration = series.quantity() == SampleQuantity::acceleration;
+    const bool is_acceleration = derivative_order(series.quantity()) == 2;
     const TimeSeries velocity = is_acceleration ? integrate_record(series, settings.integration_corner) : to_velocity(series);
     RecordedMotion part{.acceleration = {}, .velocity = cut_to(velocity, settings.window)};
     if (is_acceleration) part.acceleration = cut_to(level_uncorrected(series, settings.integration_corner), settings.window);
@@ -60,8 +60,9 @@ TimeSeries end_at_rest(const TimeSeries& velocity, const BaseMotionSettings& set
         detail::rest_correction(v.size(), dt, v.back(), home ? std::optional(drift) : std::nullopt, shape), dt);
     for (std::size_t i = 0; i < v.size(); ++i) v[i] -= correction[i];
     v.back() = 0.0;  // was rounding
-    steps.push_back(home ? fmt::format("ended at rest: {:.3e} m/s and {:.3e} m taken out", correction.back(), drift)
-                         : fmt::format("ended at rest: {:.3e} m/s taken out", correction.back()));
+    const std::string unit(si_unit_name(find_quantity(is_rotation(velocity.quantity()), 0)));
+    steps.push_back(home ? fmt::format("ended at rest: {:.3e} {}/s and {:.3e} {} taken out", correction.back(), unit, drift, unit)
+                         : fmt::format("ended at rest: {:.3e} {}/s taken out", correction.back(), unit));
     return velocity.with_samples(std::move(v));
 }
 

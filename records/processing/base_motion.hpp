@@ -32,7 +32,7 @@ struct RecordedMotion {
     TimeSeries velocity;
 };
 
-/// Motion of a base.
+/// Motion of a base along an axis, or about one: of a rotation the velocity is the rate [rad/s], the displacement the angle [rad].
 struct BaseMotion {
     TimeSeries velocity;             ///< linear between samples; the first is zero, and the last where the base ends at rest
     TimeSeries displacement;         ///< its exact integral from zero
@@ -46,8 +46,8 @@ struct BaseMotion {
 /// record's own velocity at its start is known. Then the velocity is counted from its first value, and what keeps it from ending at rest is
 /// taken out as the integral of an acceleration (detail::rest_correction): of a whole record α τ(1 − τ) + β τ(1 − τ)(1 − 2τ), which is zero
 /// at both ends, as a record's own is; of a window α + β (1 − 2τ), the least in the mean square. τ goes from 0 to 1, β is zero for
-/// AtRest::displaced. A velocity series is not integrated first; a displacement is differentiated. Throws ProcessingError as the single
-/// steps do, and for fewer than four samples.
+/// AtRest::displaced. A velocity series is not integrated first; a displacement is differentiated. Angular accelerations, rates and angles
+/// are treated alike. Throws ProcessingError as the single steps do, and for fewer than four samples.
 BaseMotion make_base_motion(const TimeSeries& series, const BaseMotionSettings& settings = {});
 
 /// The same for a component of a record. An uncorrected one is high-passed at its integration corner, its mean taken out before, unless

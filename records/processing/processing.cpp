@@ -14,8 +14,10 @@
 namespace musim::records {
 namespace {
 
-// one step up or down the chain acceleration, velocity, displacement
-SampleQuantity neighbor(SampleQuantity quantity, int step) { return static_cast<SampleQuantity>(static_cast<int>(quantity) + step); }
+// the quantity that has so many derivatives more
+SampleQuantity neighbor(SampleQuantity quantity, int derivatives) {
+    return find_quantity(is_rotation(quantity), derivative_order(quantity) + derivatives);
+}
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
 
@@ -33,9 +35,9 @@ void remove_part(std::vector<double>& vector, const std::vector<double>& directi
 }
 
 void refuse_displacement(const TimeSeries& series) {
-    if (series.quantity() == SampleQuantity::displacement) {
-        throw ProcessingError("a displacement is not integrated (nothing is its rate); integrate acceleration or velocity");
-    }
+    if (derivative_order(series.quantity()) > 0) return;
+    throw ProcessingError(fmt::format("a{} {} is not integrated (nothing is its rate); integrate acceleration or velocity",
+                                      is_rotation(series.quantity()) ? "n" : "", to_string(series.quantity())));
 }
 
 }  // namespace
@@ -141,7 +143,7 @@ TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time aft
 }
 
 TimeSeries bring_to_rest(const TimeSeries& acceleration, AtRest at_rest) {
-    require_quantity(acceleration, SampleQuantity::acceleration, "the correction to rest");
+    require_acceleration(acceleration, "the correction to rest");
     constexpr std::size_t kFewestSamples = 4;
     if (acceleration.size() < kFewestSamples) {
         throw ProcessingError(fmt::format("{} samples cannot end at rest (at least {} are needed); use a longer record",
@@ -155,7 +157,7 @@ TimeSeries bring_to_rest(const TimeSeries& acceleration, AtRest at_rest) {
 
 TimeSeries integrate(const TimeSeries& series) {
     refuse_displacement(series);
-    return series.with_samples(neighbor(series.quantity(), 1), detail::cumulative_trapezoid(series.samples(), series.dt().value()));
+    return series.with_samples(neighbor(series.quantity(), -1), detail::cumulative_trapezoid(series.samples(), series.dt().value()));
 }
 
 TimeSeries integrate_by_frequency(const TimeSeries& series) {
@@ -166,11 +168,11 @@ TimeSeries integrate_by_frequency(const TimeSeries& series) {
         const bool no_phase = i == 0 || 2 * i == series.size();
         return no_phase ? std::complex<double>() : std::complex<double>(0.0, -1.0 / (step * static_cast<double>(i)));
     });
-    return series.with_samples(neighbor(series.quantity(), 1), transform.back());
+    return series.with_samples(neighbor(series.quantity(), -1), transform.back());
 }
 
 TimeSeries differentiate(const TimeSeries& series) {
-    if (series.quantity() == SampleQuantity::acceleration) {
+    if (derivative_order(series.quantity()) == 2) {
         throw ProcessingError("an acceleration is not differentiated (jerk is no quantity here); differentiate velocity or displacement");
     }
     if (series.size() < 2) throw ProcessingError("one sample has no rate; give a longer record");
@@ -180,11 +182,11 @@ TimeSeries differentiate(const TimeSeries& series) {
     rate.front() = (x[1] - x[0]) / dt;
     rate.back() = (x[x.size() - 1] - x[x.size() - 2]) / dt;
     for (std::size_t i = 1; i + 1 < x.size(); ++i) rate[i] = 0.5 * (x[i + 1] - x[i - 1]) / dt;
-    return series.with_samples(neighbor(series.quantity(), -1), std::move(rate));
+    return series.with_samples(neighbor(series.quantity(), 1), std::move(rate));
 }
 
 TimeWindow find_energy_window(const TimeSeries& acceleration, double from, double to, double margin) {
-    require_quantity(acceleration, SampleQuantity::acceleration, "the strong-motion window");
+    require_acceleration(acceleration, "the strong-motion window");
     if (!(from >= 0.0 && from < to && to <= 1.0 && margin >= 0.0 && std::isfinite(margin))) {
         throw ProcessingError(fmt::format(
             "a window from {} to {} of the energy, {} of it added, is impossible (0 to 1, the first below); change it", from, to, margin));

@@ -3,7 +3,8 @@
 #include "records/time_series.hpp"
 
 /// Steps of record processing. All are pure, keep the clock unless said otherwise, and have no length, time or acceleration of their own:
-/// a record scaled by factors that are powers of two gives the scaled result to the last bit. All throw ProcessingError.
+/// a record scaled by factors that are powers of two gives the scaled result to the last bit. All throw ProcessingError. What is said of
+/// accelerations, velocities and displacements holds for angular accelerations, angular velocities and angles.
 namespace musim::records {
 
 /// Beginning and end of the motion of a base.

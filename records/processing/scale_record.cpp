@@ -7,19 +7,37 @@
 namespace musim::records {
 namespace {
 
-double sample_factor(SampleQuantity quantity, const scaling::ShakingScales& scales) {
-    if (quantity == SampleQuantity::acceleration) return scales.acceleration;
-    if (quantity == SampleQuantity::velocity) return scales.velocity;
-    return scales.displacement;
+/// λ of a quantity's samples; an angle is a ratio of lengths, its derivatives are divided by times.
+double sample_factor(SampleQuantity quantity, const scaling::ModelScales& scales, scaling::Shaking direction) {
+    const scaling::ShakingScales shaking = scales.shaking(direction);
+    switch (quantity) {
+        case SampleQuantity::acceleration:
+            return shaking.acceleration;
+        case SampleQuantity::velocity:
+            return shaking.velocity;
+        case SampleQuantity::displacement:
+            return shaking.displacement;
+        case SampleQuantity::angular_acceleration:
+            return scales.angular_acceleration();
+        case SampleQuantity::angular_velocity:
+            return scales.angular_velocity();
+        case SampleQuantity::angle:
+            break;
+    }
+    return 1.0;
 }
 
-std::string describe_factors(const scaling::ModelScales& scales, const std::vector<scaling::Shaking>& directions) {
+std::string describe_factors(const scaling::ModelScales& scales, const std::vector<scaling::Shaking>& directions, bool has_rotation) {
     std::string text = fmt::format("rescaled by the {} law: length {:.9g}, time {:.9g}, velocity {:.9g}, acceleration {:.9g}", scales.law,
                                    scales.height, scales.time, scales.velocity, scales.acceleration);
     const bool has_vertical = std::find(directions.begin(), directions.end(), scaling::Shaking::vertical) != directions.end();
     if (has_vertical && scales.acceleration_vertical != scales.acceleration) {
         text +=
             fmt::format(", vertical velocity {:.9g}, vertical acceleration {:.9g}", scales.velocity_vertical, scales.acceleration_vertical);
+    }
+    if (has_rotation) {
+        text += fmt::format(", angle 1, angular velocity {:.9g}, angular acceleration {:.9g}", scales.angular_velocity(),
+                            scales.angular_acceleration());
     }
     return text;
 }
@@ -31,7 +49,7 @@ scaling::Shaking find_shaking(const Component& component) {
 }
 
 TimeSeries rescale(const TimeSeries& prototype, const scaling::ModelScales& scales, scaling::Shaking direction) {
-    const double factor = sample_factor(prototype.quantity(), scales.shaking(direction));
+    const double factor = sample_factor(prototype.quantity(), scales, direction);
     std::vector<double> samples(prototype.samples().begin(), prototype.samples().end());
     for (double& sample : samples) sample *= factor;
     return {prototype.quantity(), prototype.start() * scales.time, prototype.dt() * scales.time, std::move(samples)};
@@ -49,9 +67,11 @@ GroundMotion rescale(const GroundMotion& prototype, const scaling::ModelScales& 
         Component& component = model.components[c];
         component.series = rescale(component.series, scales, directions.at(c));
     }
+    const auto turns = [](const Component& component) { return is_rotation(component); };
+    const bool has_rotation = std::any_of(model.components.begin(), model.components.end(), turns);
     model.time_zero.reset();
     if (model.integration_corner) *model.integration_corner *= scales.frequency;
-    model.history.push_back(describe_factors(scales, directions));
+    model.history.push_back(describe_factors(scales, directions, has_rotation));
     return model;
 }
 

@@ -41,6 +41,10 @@ struct ModelScales {
     /// λ of displacements, velocities and accelerations of a shaking. All directions share the time.
     ShakingScales shaking(Shaking direction) const;
 
+    /// λ of angular velocities and angular accelerations of any rotation: 1/λ_t and 1/λ_t²; angles keep their size in every law.
+    double angular_velocity() const { return frequency; }
+    double angular_acceleration() const { return frequency * frequency; }
+
     /// λ of Arias intensities π/(2g) ∫a² dt with the g of each scale: λ_a² λ_t/λ_g.
     double arias_intensity(Shaking direction) const;
 

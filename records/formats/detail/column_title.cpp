@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "records/detail/text.hpp"
+#include "records/formats/detail/rotation_title.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -33,7 +34,7 @@ constexpr std::string_view kMagnitudeWords = " absolute magnitude resultant norm
 constexpr std::string_view kRemarkWords =
     " temperature temp battery batt comment comments event marker trigger status flag humidity pressure latitude longitude lat lon gps "
     "note "
-    "notes label quality force voltage rpm strain gyroscope gyro ";
+    "notes label quality force voltage rpm strain ";
 constexpr std::string_view kBracketNotes =
     " n e w z x y ns ew ud n-s e-w u-d nw se up down vert vertical hor horiz horizontal h1 h2 long lateral trans transverse radial l r t i "
     "k filtered unfiltered corrected uncorrected processed rel relative abs absolute total avg average mean smp base ground top roof table "
@@ -95,7 +96,15 @@ std::vector<SampleQuantity> quantities_of(std::string_view text) {
     if (has_word(words, kAccelerationWords)) found.push_back(SampleQuantity::acceleration);
     if (has_word(words, kVelocityWords)) found.push_back(SampleQuantity::velocity);
     if (has_word(words, kDisplacementWords)) found.push_back(SampleQuantity::displacement);
-    return found;
+    const RotationWords turn = read_rotation_words(words, found.size() == 1 ? std::optional(found.front()) : std::nullopt);
+    if (!turn.is_rotation) return found;
+    return turn.quantity ? std::vector{*turn.quantity} : std::vector<SampleQuantity>();
+}
+
+RotationWords rotation_words_of(std::string_view text) {
+    const std::vector<SampleQuantity> named = quantities_of(text);
+    const bool is_translation = named.size() == 1 && !is_rotation(named.front());
+    return read_rotation_words(words_of(text), is_translation ? std::optional(named.front()) : std::nullopt);
 }
 
 std::optional<SampleQuantity> quantity_of(std::string_view text) {
@@ -295,6 +304,13 @@ std::optional<double> find_seconds_of_words(const std::vector<std::string>& word
 
 void judge(ColumnTitle& title) {
     const std::vector<std::string> words = words_of(title.name);
+    const RotationWords turn = rotation_words_of(title.name);
+    if (title.unit.motion && is_rotation(title.unit.motion->quantity)) {
+        // "Latitude (deg)" is no motion
+        if (turn.is_bearing) title.unit = {.foreign = "a bearing"};
+    } else if (title.unit.motion && turn.is_certain) {
+        title.unknown_unit = title.unit.motion->name;
+    }
     const std::vector<SampleQuantity> named = quantities_of(title.name);
     if (named.size() == 1) title.quantity = named.front();
     if (title.unit.motion && title.quantity && *title.quantity != title.unit.motion->quantity) title.unknown_unit = title.unit.motion->name;
@@ -305,6 +321,7 @@ void judge(ColumnTitle& title) {
     title.is_index = !title.quantity && !title.unit.is_known() && !title.is_time && !words.empty() &&
                      std::all_of(words.begin(), words.end(), [](const std::string& word) { return is_in(kIndexWords, word); });
     title.is_magnitude = has_word(words, kMagnitudeWords);
+    title.is_rotation = title.quantity ? is_rotation(*title.quantity) : turn.is_rotation;
     title.is_remark = !title.quantity && has_word(words, kRemarkWords);
 }
 
@@ -378,10 +395,11 @@ void state(UnitStatement& statement, const ColumnUnit& unit, std::string_view te
     if (unit.seconds) statement.seconds = unit.seconds;
     if (!unit.foreign.empty()) statement.unknown = text;
     if (!unit.motion) return;
-    if (statement.motion && (statement.motion->si != unit.motion->si || statement.motion->quantity != unit.motion->quantity)) {
-        statement.unknown = std::string(statement.motion->name) + "' and '" + std::string(unit.motion->name);
+    std::optional<SampleUnit>& stated = is_rotation(unit.motion->quantity) ? statement.rotation : statement.motion;
+    if (stated && (stated->si != unit.motion->si || stated->quantity != unit.motion->quantity)) {
+        statement.unknown = std::string(stated->name) + "' and '" + std::string(unit.motion->name);
     }
-    if (!statement.motion) statement.motion = unit.motion;
+    if (!stated) stated = unit.motion;
 }
 
 void read_listed_units(std::string_view text, UnitStatement& statement) {
@@ -400,7 +418,7 @@ void read_listed_units(std::string_view text, UnitStatement& statement) {
             first_unknown = piece;
         }
     }
-    if (!is_any_known && !statement.motion && !first_unknown.empty()) statement.unknown = first_unknown;
+    if (!is_any_known && !statement.motion && !statement.rotation && !first_unknown.empty()) statement.unknown = first_unknown;
 }
 
 }  // namespace
@@ -410,9 +428,14 @@ UnitStatement read_unit_statement(std::string_view line) {
     // a peak may stand in another unit than the samples
     const bool speaks_of_peak = has_word(words_of(line), kPeakWords);
     if (speaks_of_peak && !find_text_behind_unit(line)) return {};
+    // "azimuth (deg)" is no motion
+    const bool speaks_of_rotation = rotation_words_of(line).is_rotation;
+    const auto is_of_samples = [&](const ColumnUnit& unit) {
+        return unit.motion && (speaks_of_rotation || !is_rotation(unit.motion->quantity));
+    };
     for (const Bracketed& group : find_brackets(line)) {
         const ColumnUnit unit = read_column_unit(group.text);
-        if (unit.motion) state(statement, unit, group.text);
+        if (is_of_samples(unit)) state(statement, unit, group.text);
         const std::vector<std::string> before = words_of(line.substr(0, group.first));
         if (unit.seconds && !before.empty() && has_time_word({before.back()})) statement.seconds = unit.seconds;
     }
@@ -421,7 +444,7 @@ UnitStatement read_unit_statement(std::string_view line) {
         read_listed_units(*text, statement);
         return statement;
     }
-    if (statement.motion) return statement;
+    if (statement.motion || statement.rotation) return statement;
 
     // "acceleration in g", "velocity in cm/s at the base", "Acceleration, g"
     for (std::size_t in = line.rfind(" in "); in != std::string_view::npos; in = in > 0 ? line.rfind(" in ", in - 1) : line.npos) {
@@ -429,9 +452,9 @@ UnitStatement read_unit_statement(std::string_view line) {
         const bool speaks_of_samples = has_word(words_of(line.substr(0, in)), kSampleWords);
         for (const std::string_view text : {tail, take_token(tail, " \t,;")}) {
             const ColumnUnit unit = read_column_unit(text);
-            if (!unit.motion) continue;
+            if (!is_of_samples(unit)) continue;
             if (unit.motion->name.size() > 1 || speaks_of_samples || statement.quantity == unit.motion->quantity) {
-                statement.motion = unit.motion;
+                state(statement, unit, text);
                 return statement;
             }
         }
@@ -439,7 +462,8 @@ UnitStatement read_unit_statement(std::string_view line) {
     // a unit alone, or behind what stands for the samples
     const ColumnTitle title = read_column_title(line);
     const bool speaks_of_samples = title.name.empty() || has_word(words_of(title.name), kSampleWords);
-    if (title.unit.motion && (speaks_of_samples || statement.quantity == title.unit.motion->quantity)) statement.motion = title.unit.motion;
+    const bool is_stated = speaks_of_samples || statement.quantity == (title.unit.motion ? title.unit.motion->quantity : title.quantity);
+    if (is_of_samples(title.unit) && is_stated) state(statement, title.unit, title.text);
     return statement;
 }
 

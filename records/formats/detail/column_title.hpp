@@ -18,6 +18,7 @@ struct ColumnTitle {
     bool is_time = false;           ///< by a word or by its unit
     bool is_index = false;          ///< by a word: "No.", "sample", "index"
     bool is_magnitude = false;      ///< by a word: "absolute", "resultant"
+    bool is_rotation = false;       ///< by a word or by its unit: "roll", "rx (deg)", "gyro x"
     bool is_remark = false;         ///< by a word: what loggers add to samples, "Battery", "Comment", "Temperature"
 
     /// Is anything but a name understood?
@@ -35,7 +36,8 @@ bool is_empty_unit(std::string_view text);
 
 /// Unit that a line of text states for the samples below it: "# Units: (g)", "acceleration time history in cm/s^2", "(mm/s^2)".
 struct UnitStatement {
-    std::optional<SampleUnit> motion = {};
+    std::optional<SampleUnit> motion = {};  ///< of a translation
+    std::optional<SampleUnit> rotation = {};
     std::optional<double> seconds = {};           ///< unit of time
     std::string unknown = {};                     ///< text behind "unit:" that is no unit of a motion
     std::optional<SampleQuantity> quantity = {};  ///< that the line speaks of, when of one only

@@ -11,7 +11,7 @@ namespace musim::records::detail {
 struct ColumnUnit {
     std::optional<SampleUnit> motion = {};
     std::optional<double> seconds = {};  ///< of one unit of time
-    std::string_view foreign = {};       ///< "a voltage", "counts", "an angle", ...: no unit of a motion
+    std::string_view foreign = {};       ///< "a voltage", "counts", ...: no unit of a motion
 
     bool is_known() const { return motion || seconds || !foreign.empty(); }
 };

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "records/detail/text.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 struct CsvHeader {
     GroundMotion motion;
-    std::optional<SampleUnit> unit;
+    std::vector<SampleUnit> units;  ///< one for all columns, or one each
     std::optional<scaling::Time> start;
     std::optional<scaling::Time> dt;
     std::vector<std::string_view> directions;  ///< azimuths [deg], or up
@@ -59,9 +60,11 @@ void read_header_line(const TextFile& file, std::size_t index, CsvHeader& header
         header.directions = split_cells(value);
     }
     if (key == "unit") {
-        header.unit = find_sample_unit(value);
-        if (!header.unit) {
-            file.fail(index, fmt::format("unit {} is unknown (known: {})", quoted(value), sample_unit_names()), "correct the line");
+        for (const std::string_view name : split_cells(value)) {
+            const std::optional<SampleUnit> unit = find_sample_unit(name);
+            if (!unit)
+                file.fail(index, fmt::format("unit {} is unknown (known: {})", quoted(name), all_sample_unit_names()), "correct the line");
+            header.units.push_back(*unit);
         }
     }
 }
@@ -80,7 +83,7 @@ void read_row(const TextFile& file, std::size_t index, std::size_t row, const Cs
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (cells[i + 1].empty()) continue;
         if (columns[i].size() != row) file.fail(index, "value after an empty cell (component has ended)", "write the file again");
-        columns[i].push_back(checked_sample(file, index, cells[i + 1], row + 1, header.unit->si));
+        columns[i].push_back(checked_sample(file, index, cells[i + 1], row + 1, header.units[i].si));
     }
 }
 
@@ -90,14 +93,22 @@ GroundMotion parse_musim_csv(const TextFile& file, const ReadOptions& options) {
     CsvHeader header;
     std::size_t index = 1;
     for (; file.line(index).starts_with('#'); ++index) read_header_line(file, index, header);
-    if (!header.unit || !header.start || !header.dt) {
+    if (header.units.empty() || !header.start || !header.dt) {
         file.fail("header lacks unit, start_s or dt_s (all are needed)", "write the file again");
     }
-    refuse_contradictions(file, options, *header.unit, *header.dt);
+    // what is asked for may be any of the columns' quantities
+    const auto is_asked = [&](const SampleUnit& unit) { return unit.quantity == options.quantity; };
+    const auto asked = std::find_if(header.units.begin(), header.units.end(), is_asked);
+    refuse_contradictions(file, options, asked == header.units.end() ? header.units.front() : *asked, *header.dt);
 
     const std::vector<std::string_view> titles = split_cells(file.line(index));
     if (titles.size() < 2 || titles[0] != "time_s") file.fail(index, "title line is missing (time_s,NAME,...)", "write the file again");
     std::vector<std::vector<double>> columns(titles.size() - 1);
+    if (header.units.size() == 1) header.units.resize(columns.size(), header.units.front());
+    if (header.units.size() != columns.size()) {
+        file.fail(index, fmt::format("{} components (the header names {} units)", columns.size(), header.units.size()),
+                  "write the file again");
+    }
     header.directions.resize(columns.size());
     ++index;
     for (std::size_t row = 0; index < file.size() && !file.line(index).empty(); ++row, ++index) {
@@ -113,7 +124,7 @@ GroundMotion parse_musim_csv(const TextFile& file, const ReadOptions& options) {
         }
         motion.components.push_back({std::string(titles[i + 1]),
                                      parse_real(header.directions[i]),
-                                     {header.unit->quantity, *header.start, *header.dt, std::move(columns[i])},
+                                     {header.units[i].quantity, *header.start, *header.dt, std::move(columns[i])},
                                      header.directions[i] == kUp});
     }
     return motion;

@@ -22,7 +22,7 @@ SampleUnit requested_unit(const InputFile& file, const ReadOptions& options) {
 
     const std::optional<SampleUnit> unit = find_sample_unit(*options.unit);
     if (!unit) {
-        file.fail(fmt::format("unit '{}' is unknown (known: {})", *options.unit, sample_unit_names()),
+        file.fail(fmt::format("unit '{}' is unknown (known: {})", *options.unit, all_sample_unit_names()),
                   Remedy{"give one of these as ", Setting::unit});
     }
     if (options.quantity && unit->quantity != quantity) {

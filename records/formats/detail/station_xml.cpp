@@ -101,7 +101,7 @@ StreamResponse read_stream_response(const std::filesystem::path& path, const Str
     const std::string input = text_of(sensitivity.child("InputUnits"), "Name");
     const std::optional<SampleUnit> unit = find_sample_unit(input);
     if (!unit) {
-        file.fail(fmt::format("{} senses {} (known: {})", name, detail::quoted(input), sample_unit_names()), "read another channel");
+        file.fail(fmt::format("{} senses {} (known: {})", name, detail::quoted(input), all_sample_unit_names()), "read another channel");
     }
     const std::string output = text_of(sensitivity.child("OutputUnits"), "Name");
     if (!equal_ignoring_case(output, "counts") && !equal_ignoring_case(output, "count")) {

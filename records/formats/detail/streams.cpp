@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::string_view kAccelerometer = "N";
 
-// N is an accelerometer; H and L, high and low gain seismometers, are velocity unless somebody says otherwise
+// N is an accelerometer, J a rotational sensor; H and L, high and low gain seismometers, are velocity unless somebody says otherwise
 std::optional<SampleQuantity> suggested_quantity(std::string_view channel) {
     const std::string_view instrument = instrument_of(channel);
     if (instrument == kAccelerometer) return SampleQuantity::acceleration;
     if (instrument == "H" || instrument == "L") return SampleQuantity::velocity;
+    if (instrument == "J") return SampleQuantity::angular_velocity;
     return std::nullopt;
 }
 
@@ -33,7 +34,7 @@ StreamResponse response_from_number(const InputFile& file, const ReadOptions& op
     const std::optional<SampleQuantity> suggested = suggested_quantity(codes.channel);
     if (!suggested && !options.quantity) {
         file.fail(
-            fmt::format("channel code {} does not say what is measured (known from N, H or L)", quoted(std::string_view(codes.channel))),
+            fmt::format("channel code {} does not say what is measured (known from N, H, L or J)", quoted(std::string_view(codes.channel))),
             Remedy{"give ", Setting::quantity});
     }
     // once a response was removed (sensitivity 1), the code says where samples come from, not what they are

@@ -261,6 +261,7 @@ void add_statement(const TextFile& file, const TextLine& line, TextHeading& head
     if (found.quantity && stated.quantity && *found.quantity != *stated.quantity) stated.quantity.reset();
     if (found.quantity && !heading.stated_line) stated.quantity = found.quantity;
     if (found.seconds) stated.seconds = found.seconds;
+    if (found.rotation) stated.rotation = found.rotation;
     const bool says_unit = found.motion || !found.unknown.empty();
     if (!says_unit || (stated.is_explicit && !found.is_explicit)) return;
     const bool is_other = found.motion && stated.motion && found.motion->name != stated.motion->name;

@@ -17,6 +17,8 @@ struct CandidateColumn {
     ColumnTitle title = {};
     std::optional<SampleUnit> unit = {};          ///< that its title or the text above names
     std::optional<SampleQuantity> quantity = {};  ///< likewise
+
+    bool is_rotation() const { return quantity ? records::is_rotation(*quantity) : title.is_rotation; }
 };
 
 class SampleChooser {
@@ -36,7 +38,7 @@ class SampleChooser {
     ChosenSamples choose() {
         drop_foreign();
         name_units();
-        keep_quantity(find_quantity());
+        keep_quantity(find_wanted());
         drop_magnitudes();
         for (CandidateColumn& candidate : candidates_) chosen_.columns.push_back({candidate.column, candidate.name, unit_of(candidate)});
         return std::move(chosen_);
@@ -99,13 +101,17 @@ class SampleChooser {
                             fmt::format("unit '{}' is none that is known of a motion, or one of several", stated.unknown),
                             {"give ", Setting::unit});
             }
-            const bool suits = stated.motion && (!title.quantity || *title.quantity == stated.motion->quantity);
-            if (suits) candidate.unit = stated.motion;
-            if (!candidate.quantity) candidate.quantity = candidate.unit ? std::optional(candidate.unit->quantity) : stated.quantity;
+            const bool turns = title.is_rotation || (stated.rotation && !stated.motion);
+            const std::optional<SampleUnit>& of_kind = turns ? stated.rotation : stated.motion;
+            const bool suits = of_kind && (!title.quantity || *title.quantity == of_kind->quantity);
+            if (suits) candidate.unit = of_kind;
+            if (candidate.unit) candidate.quantity = candidate.unit->quantity;
+            if (!candidate.quantity && !title.is_rotation) candidate.quantity = stated.quantity;
         }
-        const auto given =
-            std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return c.unit.has_value(); });
-        const auto unnamed = std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return !c.unit; });
+        const auto given = std::find_if(candidates_.begin(), candidates_.end(),
+                                        [](const CandidateColumn& c) { return c.unit.has_value() && !c.is_rotation(); });
+        const auto unnamed =
+            std::find_if(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return !c.unit && !c.is_rotation(); });
         if (given != candidates_.end() && unnamed != candidates_.end() && !asked_unit_ && unnamed->title.unknown_unit.empty()) {
             if (unnamed->quantity && *unnamed->quantity != given->unit->quantity) return;
             fail(fmt::format("{} names no unit ({} is in {})", place(*unnamed), place(*given), given->unit->name),
@@ -117,7 +123,14 @@ class SampleChooser {
         return std::any_of(candidates_.begin(), candidates_.end(), [&](const CandidateColumn& c) { return c.quantity == quantity; });
     }
 
-    SampleQuantity find_quantity() const {
+    /// The quantity of rotations beside one of `derivatives`: that with as many, or else what sensors give, rates before angles.
+    std::optional<SampleQuantity> find_rotation(int derivatives) const {
+        for (const int order : {derivatives, 1, 0, 2})
+            if (holds(find_quantity(true, order))) return find_quantity(true, order);
+        return std::nullopt;
+    }
+
+    SampleQuantity find_wanted() const {
         if (options_->quantity) return *options_->quantity;
         if (asked_unit_) return asked_unit_->quantity;
         if (holds(SampleQuantity::acceleration)) return SampleQuantity::acceleration;
@@ -125,7 +138,10 @@ class SampleChooser {
             fail("columns hold velocities and displacements (one quantity is read)", {"give ", Setting::quantity});
         }
         if (holds(SampleQuantity::velocity)) return SampleQuantity::velocity;
-        return holds(SampleQuantity::displacement) ? SampleQuantity::displacement : SampleQuantity::acceleration;
+        if (holds(SampleQuantity::displacement)) return SampleQuantity::displacement;
+        const bool is_turned =
+            std::all_of(candidates_.begin(), candidates_.end(), [](const CandidateColumn& c) { return c.is_rotation(); });
+        return is_turned ? find_rotation(1).value_or(SampleQuantity::angular_velocity) : SampleQuantity::acceleration;
     }
 
     void keep_quantity(SampleQuantity quantity) {
@@ -140,11 +156,31 @@ class SampleChooser {
             fail(fmt::format("{} holds {} (asked for: {})", place(first), to_string(*first.quantity), to_string(quantity)),
                  {"correct ", Setting::quantity, " or ", Setting::unit});
         }
-        for (const SampleQuantity other : {SampleQuantity::acceleration, SampleQuantity::velocity, SampleQuantity::displacement}) {
-            if (other == quantity) continue;
-            drop([&](const CandidateColumn& c) { return c.quantity == other; }, std::string(to_string(other)));
+        // rotations stand beside translations
+        const std::optional<SampleQuantity> beside = is_rotation(quantity) ? std::nullopt : find_rotation(derivative_order(quantity));
+        for (int order = 2; order >= 0; --order) {
+            for (const SampleQuantity other : {find_quantity(false, order), find_quantity(true, order)}) {
+                if (other == quantity || other == beside) continue;
+                drop([&](const CandidateColumn& c) { return c.quantity == other; }, std::string(to_string(other)));
+            }
         }
+        keep_rotations_with_unit(quantity);
         quantity_ = quantity;
+    }
+
+    /// Rotations are in no unit that could be guessed: beside translations they are left out, alone or chosen they are refused.
+    void keep_rotations_with_unit(SampleQuantity quantity) {
+        const auto is_unclear = [&](const CandidateColumn& c) {
+            const bool is_asked = asked_unit_ && records::is_rotation(asked_unit_->quantity);
+            return !c.unit && !is_asked && (c.is_rotation() || records::is_rotation(quantity));
+        };
+        const auto unclear = std::find_if(candidates_.begin(), candidates_.end(), is_unclear);
+        if (unclear == candidates_.end()) return;
+        if (options_->columns || records::is_rotation(quantity)) {
+            fail(fmt::format("{} is a rotation that names no unit (rad, deg, rad/s, deg/s, rad/s^2, ...)", place(*unclear)),
+                 {"write it into the title, give ", Setting::unit, " or choose others with ", Setting::columns});
+        }
+        drop(is_unclear, "a rotation that names no unit");
     }
 
     /// Leaves out the length of a vector whose components stand beside it: it is never negative, they are.
@@ -163,7 +199,7 @@ class SampleChooser {
     }
 
     SampleUnit unit_of(const CandidateColumn& candidate) {
-        if (asked_unit_) {
+        if (asked_unit_ && (!candidate.unit || candidate.unit->quantity == asked_unit_->quantity)) {
             if (candidate.unit && candidate.unit->si != asked_unit_->si) {
                 chosen_.notes.push_back(fmt::format("{} is read in {} as asked for (its title names {})", place(candidate),
                                                     asked_unit_->name, candidate.unit->name));

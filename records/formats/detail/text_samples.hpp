@@ -16,15 +16,16 @@ struct SampleColumn {
 
 /// The columns that become components, and remarks on the choice.
 struct ChosenSamples {
-    std::vector<SampleColumn> columns;    ///< all of one quantity
+    std::vector<SampleColumn> columns;    ///< translations of one quantity and rotations of one
     bool is_unit_given = true;            ///< false: nobody names a unit, SI is taken
     std::vector<std::string> notes = {};  ///< columns left out, units overruled
 };
 
-/// Chooses the columns of one quantity: the one asked for, else accelerations, else the only one. A unit is the caller's, else that of the
+/// Chooses the columns of one quantity: the one asked for, else accelerations, else the only one; beside translations those of the
+/// rotations with as many derivatives, or else of rates, angles or angular accelerations. A unit is the caller's, else that of the
 /// column's title, else the one that the text above the table states, else SI. Columns in units of no motion are left out beside those that
-/// have one. Throws ReadError for a unit that stands in a title and is not understood, for samples that are no motion, for a column without
-/// a unit beside others with one, and where the quantity may be either of two.
+/// have one, and so are rotations without a unit. Throws ReadError for a unit that stands in a title and is not understood, for samples
+/// that are no motion, for a column without a unit beside others with one, and where the quantity may be either of two.
 ChosenSamples choose_samples(const TextFile& file, const TextTable& table, const TextHeading& heading, const TextLayout& layout,
                              const ReadOptions& options);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "records/formats/read_record.hpp"
+#include "scaling/angle.hpp"
 #include "tests/records/formats/text_file_shapes.hpp"
 #include "tests/records/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -157,10 +158,10 @@ TEST_CASE("voltages and counts are refused by name, other columns beside motions
 
     const GroundMotion motion =
         read_shape(tests::table("Time (s),Acc X (m/s2),Temp (°C),LVDT (mV),gyro_x_dps,Battery\n", {1.0, 0.1, 0.2, 0.3, 0.4}));
-    check_shape(motion, {kPulsePeak});
-    CHECK(motion.component_names() == "Acc X");
+    check_shape(motion, {kPulsePeak, 0.3 * kPulsePeak * scaling::kDegree});
+    CHECK(motion.component_names() == "Acc X, gyro_x");
+    CHECK(motion.components[1].series.quantity() == SampleQuantity::angular_velocity);
     CHECK(history_says(motion, "note: a: column 4 'LVDT (mV)' is left out (a voltage)"));
-    CHECK(history_says(motion, "column 5 'gyro_x_dps' is left out (a rotation rate)"));
     CHECK(history_says(motion, "column 6 'Battery' is left out"));
 }
 
