@@ -82,13 +82,16 @@ int run_record_process(const RecordProcessOptions& options) {
 
     nlohmann::json components = nlohmann::json::array();
     for (std::size_t c = 0; c < processed.components.size(); ++c) {
-        const NamedValues before = find_peaks(motion, motion.components[c]), after = find_peaks(processed, processed.components[c]);
+        // a step may add components
+        const bool is_new = c >= motion.components.size();
+        const NamedValues before = is_new ? NamedValues() : find_peaks(motion, motion.components[c]);
+        const NamedValues after = find_peaks(processed, processed.components[c]);
         const std::string& name = processed.components[c].name;
-        components.push_back({{"component", name}, {"before", to_json(before)}, {"after", to_json(after)}});
+        components.push_back({{"component", name}, {"before", is_new ? nlohmann::json() : to_json(before)}, {"after", to_json(after)}});
         if (options.json) continue;
-        if (c == 0) print_titles("", before);
-        print_row("before", before);
-        print_row("after", after);
+        print_peak_titles(processed, c, after);
+        if (!is_new) print_row("before", before);
+        print_row(is_new ? "added" : "after", after);
     }
     if (options.json) {
         print_json({{"out", options.output.out}, {"history", processed.history}, {"components", components}});
@@ -120,11 +123,17 @@ void add_record_process_command(CLI::App& record, Action& action) {
         "Steps: align, level, baseline (order), taper (fraction), pad (before, after), cut (window), energy_window (from, to, margin), "
         "amplify (factor),\n"
         "  filter (low, high, order, phase zero|causal), resample (dt, between band_limited|straight), rotate (azimuth_deg), rest,\n"
-        "  integrate (by trapezoid|frequency), differentiate. Quantities are SI numbers or text such as \"0.064 Hz\".\n"
+        "  integrate (by trapezoid|frequency), differentiate, to_acceleration, surface_rotation (velocity, vertical, transverse): rocking "
+        "ry "
+        "and\n"
+        "  torsion rz of the surface in waves along +x with that apparent velocity. Quantities are SI numbers or text such as \"0.064 "
+        "Hz\".\n"
         "Examples:\n"
         "  musim record process CICLC.v1 --step '{\"step\": \"level\"}' --step '{\"step\": \"filter\", \"low\": \"0.064 Hz\"}' -o clc.csv\n"
         "  musim record process N.at2 E.at2 --recipe recipe.json -o both.csv --json\n"
-        "  musim record process other.v1 --recipe clc.csv -o other.csv");
+        "  musim record process other.v1 --recipe clc.csv -o other.csv\n"
+        "  musim record process CICLC.v1 -o six.csv \\\n"
+        "    --step '{\"step\": \"surface_rotation\", \"velocity\": \"800 m/s\", \"vertical\": \"Up\", \"transverse\": \"360\"}'");
     command->callback([&action, options] { action = [options] { return run_record_process(*options); }; });
 }
 

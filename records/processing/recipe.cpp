@@ -13,6 +13,7 @@
 #include "records/error.hpp"
 #include "records/json_rules.hpp"
 #include "records/processing/align.hpp"
+#include "records/processing/surface_rotation.hpp"
 #include "scaling/detail/overloaded.hpp"
 
 namespace musim::records {
@@ -28,8 +29,9 @@ constexpr std::string_view kRecipeSchema = "musim-recipe/1";
 constexpr std::string_view kHistoryMark = "{\"step\":";
 
 /// Names of the steps in recipes, in the order of Step.
-constexpr std::string_view kStepNames[] = {"align", "level",         "rest",   "differentiate", "baseline", "taper",  "pad",
-                                           "cut",   "energy_window", "filter", "amplify",       "resample", "rotate", "integrate"};
+constexpr std::string_view kStepNames[] = {
+    "align",   "level",    "rest",   "differentiate", "baseline",        "taper",           "pad", "cut", "energy_window", "filter",
+    "amplify", "resample", "rotate", "integrate",     "to_acceleration", "surface_rotation"};
 static_assert(std::size(kStepNames) == std::variant_size_v<Step>);
 
 /// A setting that has no default.
@@ -73,6 +75,9 @@ void describe(Step& step, Visitor&& visit) {
                           },
                           [&](step::Integrate& s) {
                               visit("by", Either<bool>{s.by_frequency, {"trapezoid", "frequency"}});
+                          },
+                          [&](step::SurfaceRotation& s) {
+                              visit("velocity", s.velocity), visit("vertical", s.vertical), visit("transverse", s.transverse);
                           }},
                step);
 }
@@ -86,6 +91,7 @@ struct SettingReader {
         fields.read(key, value);
     }
     void operator()(const char* key, scaling::Time& value) { value = fields.get<scaling::Time>(key); }
+    void operator()(const char* key, scaling::Velocity& value) { value = fields.get<scaling::Velocity>(key); }
     void operator()(const char* key, std::optional<scaling::Frequency>& value) { value = fields.find<scaling::Frequency>(key); }
     void operator()(const char* key, TimeWindow& value) {
         if (!fields.has(key) || !fields[key].json().is_array() || fields[key].json().size() != 2) {
@@ -117,6 +123,10 @@ struct SettingWriter {
         json[key] = value;
     }
     void operator()(const char* key, scaling::Time value) { json[key] = value.value(); }
+    void operator()(const char* key, scaling::Velocity value) { json[key] = value.value(); }
+    void operator()(const char* key, const std::string& value) {
+        if (!value.empty()) json[key] = value;
+    }
     void operator()(const char* key, const std::optional<scaling::Frequency>& value) {
         if (value) json[key] = value->value();
     }
@@ -150,6 +160,10 @@ Step read_step(const Json& object, const std::string& place) {
     describe(step, SettingReader{fields});
     const auto* const filter = std::get_if<step::Filter>(&step);
     if (filter != nullptr && !filter->band.low && !filter->band.high) fields.fail("has no corner", "add \"low\", \"high\" or both");
+    const auto* const rotation = std::get_if<step::SurfaceRotation>(&step);
+    if (rotation != nullptr && rotation->vertical.empty() && rotation->transverse.empty()) {
+        fields.fail("names no component", "add \"vertical\", for rocking, \"transverse\", for torsion, or both");
+    }
     fields.refuse_unknown_keys();
     return step;
 }
@@ -169,7 +183,10 @@ GroundMotion for_each(GroundMotion motion, const SeriesStep& change) {
 
 GroundMotion cut_to_energy(const GroundMotion& motion, const step::EnergyWindow& s) {
     std::optional<TimeWindow> whole;
+    const bool has_translation =
+        std::any_of(motion.components.begin(), motion.components.end(), [](const Component& c) { return !is_rotation(c); });
     for (const Component& component : motion.components) {
+        if (has_translation && is_rotation(component)) continue;
         const TimeWindow own = find_energy_window(component.series, s.from, s.to, s.margin);
         whole = whole ? TimeWindow{std::min(whole->start, own.start), std::max(whole->end, own.end)} : own;
     }
@@ -187,6 +204,27 @@ GroundMotion level(const GroundMotion& motion) {
                                               find_initial_motion(component.series)));
     }
     return leveled;
+}
+
+/// Rotations that waves along +x make, behind the components.
+GroundMotion add_surface_rotation(const GroundMotion& motion, const step::SurfaceRotation& s) {
+    GroundMotion turned = motion;
+    const auto add = [&](const char* name, TimeSeries series) {
+        const auto has_name = [&](const Component& other) { return other.name == name; };
+        if (std::any_of(motion.components.begin(), motion.components.end(), has_name)) {
+            throw ProcessingError(fmt::format("the record has a component {} already; leave this step out", name));
+        }
+        turned.components.push_back({.name = name, .azimuth_deg = std::nullopt, .series = std::move(series)});
+    };
+    if (!s.vertical.empty()) add("ry", find_rocking(motion.find_component(s.vertical).series, s.velocity));
+    if (!s.transverse.empty()) add("rz", find_torsion(motion.find_component(s.transverse).series, s.velocity));
+    return turned;
+}
+
+TimeSeries to_acceleration(const TimeSeries& series) {
+    TimeSeries acceleration = series;
+    while (derivative_order(acceleration.quantity()) < 2) acceleration = differentiate(acceleration);
+    return acceleration;
 }
 
 GroundMotion filter(const GroundMotion& motion, const step::Filter& s) {
@@ -216,7 +254,9 @@ GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
                 return for_each(motion, [&](const TimeSeries& series) { return resample(series, s.dt, s.between); });
             },
             [&](const step::Rotate& s) { return rotate(motion, s.azimuth_deg); },
-            [&](const step::Integrate& s) { return for_each(motion, s.by_frequency ? integrate_by_frequency : integrate); }},
+            [&](const step::Integrate& s) { return for_each(motion, s.by_frequency ? integrate_by_frequency : integrate); },
+            [&](const step::ToAcceleration&) { return for_each(motion, to_acceleration); },
+            [&](const step::SurfaceRotation& s) { return add_surface_rotation(motion, s); }},
         step);
 }
 
@@ -272,6 +312,7 @@ Recipe rescale(const Recipe& recipe, const scaling::Similitude& similitude) {
     Recipe model = recipe;
     const Overloaded to_model{[](const char*, const auto&) {},
                               [&](const char*, scaling::Time& value) { value = similitude.to_model(value); },
+                              [&](const char*, scaling::Velocity& value) { value = similitude.to_model(value); },
                               [&](const char*, std::optional<scaling::Frequency>& value) {
                                   if (value) value = similitude.to_model(*value);
                               },

@@ -34,7 +34,7 @@ struct Pad {
 struct Cut {
     TimeWindow window;
 };
-/// All components, from where the first of them begins to where the last of them ends.
+/// All components, from where the first of them begins to where the last of them ends; translations say where, if there are any.
 struct EnergyWindow {
     double from = 0.05, to = 0.95, margin = 0.0;
 };
@@ -56,10 +56,18 @@ struct Rotate {
 struct Integrate {
     bool by_frequency = false;
 };
+/// All components to accelerations, angular ones of rotations.
+struct ToAcceleration {};
+/// Adds the components ry and rz that waves along +x make, from those that are named; one of them may be missing.
+struct SurfaceRotation {
+    scaling::Velocity velocity;
+    std::string vertical, transverse;
+};
 }  // namespace step
 
 using Step = std::variant<step::Align, step::Level, step::Rest, step::Differentiate, step::Baseline, step::Taper, step::Pad, step::Cut,
-                          step::EnergyWindow, step::Filter, step::Amplify, step::Resample, step::Rotate, step::Integrate>;
+                          step::EnergyWindow, step::Filter, step::Amplify, step::Resample, step::Rotate, step::Integrate,
+                          step::ToAcceleration, step::SurfaceRotation>;
 using Recipe = std::vector<Step>;
 
 /// Reads {"schema": "musim-recipe/1", "steps": [{"step": "filter", "low": "0.05 Hz", "order": 2, "phase": "zero"}, ...]}; quantities are SI
