@@ -89,6 +89,14 @@ double JsonRules::take_uncertain(const scaling::JsonReader& value, scaling::Dime
     return reading_->take(name + ", above", ratio.numerator) / reading_->take(name + ", below", *ratio.denominator);
 }
 
+void require_angle_unit(const scaling::JsonReader& fields, const std::string& key, std::string_view example) {
+    const scaling::JsonReader value = fields[key];
+    const std::string text = value.json().is_string() ? value.text() : value.json().dump();
+    if (text.find("rad") != std::string::npos || text.find("deg") != std::string::npos) return;
+    fields.fail(fmt::format("{} is {} (neither in rad nor in deg)", key, scaling::shorten(text, scaling::kEchoed)),
+                fmt::format("write text such as \"{}\"", example));
+}
+
 void refuse_uncertainty(const scaling::JsonReader& fields, const std::string& key, std::string_view why) {
     if (!fields.json().contains(key)) return;
     const scaling::JsonReader value = fields[key];

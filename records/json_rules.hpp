@@ -65,6 +65,19 @@ Quantity require_positive(const scaling::JsonReader& fields, const std::string& 
     return *read_positive<Quantity>(fields, key, what_to_do);
 }
 
+/// Throws where the value at a key is neither in rad nor in deg: angles and their derivatives are plain numbers and powers of time, whose
+/// unit is easily forgotten.
+void require_angle_unit(const scaling::JsonReader& fields, const std::string& key, std::string_view example);
+
+/// An angle or a derivative of one above zero, where it is given, with its unit.
+template <class Quantity>
+std::optional<Quantity> read_turn(const scaling::JsonReader& fields, const std::string& key, std::string_view example,
+                                  const std::string& what_to_do = "correct it, or remove it where it is not known") {
+    if (!fields.has(key)) return std::nullopt;
+    require_angle_unit(fields, key, example);
+    return read_positive<Quantity>(fields, key, what_to_do);
+}
+
 /// Throws where the value at a key, if it is there, has an uncertainty: `why` it makes no sense.
 void refuse_uncertainty(const scaling::JsonReader& fields, const std::string& key, std::string_view why);
 

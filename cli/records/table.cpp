@@ -248,7 +248,8 @@ void add_table_command(CLI::App& app, Action& action) {
     options->scales.add_to(*command);
     command
         ->add_option("--axis", options->axes,
-                     "A component and the axis that makes it; may be repeated (default: all, vertical ones by the axis z or vertical)")
+                     "A component and the axis that makes it; may be repeated (default: all, vertical ones by the axis z or vertical, "
+                     "rotations by roll, pitch, yaw)")
         ->type_name("COMPONENT=AXIS")
         ->allow_extra_args(false);
     command->add_option("--payload", options->payload, "Mass of the model on the table at this length, such as \"350 kg\" (default 0)")
@@ -282,7 +283,9 @@ void add_table_command(CLI::App& app, Action& action) {
         "    --prototype-mass \"1.2e5 t\" --drive drive.csv\n"
         "  musim table TCU052-N.AT2 --limits examples/tables/array.json --length 1/40 --friction 0.18/0.59 --law mu_vertical_distortion "
         "--axis N=x\n"
-        "  musim table TCU052-N.AT2 --limits examples/tables/outdoor.json --length 1/4 --correct --drive drive.csv --json");
+        "  musim table TCU052-N.AT2 --limits examples/tables/outdoor.json --length 1/4 --correct --drive drive.csv --json\n"
+        "  musim table turned.csv --limits examples/tables/six_axes.json --length 1/40 --axis 360=x --axis ry=pitch --axis rz=yaw \\\n"
+        "    --payload \"400 kg\" --payload-height \"0.8 m\" --drive six.csv     # rotations, such as \"ry (deg/s)\", on a six-axis table");
     command->callback([&action, options] { action = [options] { return run_table(*options); }; });
 }
 

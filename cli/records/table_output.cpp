@@ -4,12 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <variant>
 
 #include "cli/length_ranges.hpp"
 #include "cli/named_values.hpp"
 #include "cli/output.hpp"
 #include "cli/records/record_peaks.hpp"
 #include "records/measures/response_spectrum.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/laws/length_range.hpp"
 
 namespace musim::cli {
@@ -30,13 +32,16 @@ struct LimitUnits {
 };
 
 LimitUnits find_units(TableLimit limit) {
-    static const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0};
+    static const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0}, kDegree{"deg", scaling::kDegree};
     static const LimitUnits kUnits[] = {{TableLimit::displacement, {"mm", 1e-3}, {"mm", 1e-3}},
                                         {TableLimit::velocity, {"cm/s", 1e-2}, {"cm/s", 1e-2}},
                                         {TableLimit::acceleration, kGravity, kGravity},
                                         {TableLimit::force, {"kN", 1e3}, {"MN", 1e6}},
                                         {TableLimit::overturning_moment, {"kN m", 1e3}, {"MN m", 1e6}},
-                                        {TableLimit::payload, {"kg", 1.0}, {"t", 1e3}}};
+                                        {TableLimit::payload, {"kg", 1.0}, {"t", 1e3}},
+                                        {TableLimit::angle, kDegree, kDegree},
+                                        {TableLimit::angular_velocity, {"deg/s", kDegree.si}, {"deg/s", kDegree.si}},
+                                        {TableLimit::angular_acceleration, {"deg/s2", kDegree.si}, {"deg/s2", kDegree.si}}};
     const auto* const found =
         std::find_if(std::begin(kUnits), std::end(kUnits), [&](const LimitUnits& each) { return each.limit == limit; });
     return found == std::end(kUnits) ? LimitUnits{limit, kHertz, kHertz} : *found;
@@ -65,6 +70,32 @@ std::vector<std::pair<const char*, double>> list_peaks(const records::MotionPeak
     return {{"pga_g", (peaks.pga / scaling::kStandardGravity).value()},
             {"pgv_cm_s", peaks.pgv.value() / 0.01},
             {"pgd_cm", peaks.pgd.value() / 0.01}};
+}
+
+std::vector<std::pair<const char*, double>> list_peaks(const records::RotationPeaks& peaks) {
+    return {{"angular_acceleration_deg_s2", peaks.acceleration.value() * scaling::kDegrees},
+            {"angular_velocity_deg_s", peaks.rate.value() * scaling::kDegrees},
+            {"angle_deg", peaks.angle.value() * scaling::kDegrees}};
+}
+
+/// Demand of a component in the units of its keys in JSON.
+nlohmann::json list_demand(const records::TableDemand& demand, bool is_rotation) {
+    if (is_rotation) {
+        const records::TurnDemand& turn = demand.turn;
+        return {{"angle_deg", turn.angle.value() * scaling::kDegrees},
+                {"half_range_deg", turn.half_range.value() * scaling::kDegrees},
+                {"angular_velocity_deg_s", turn.angular_velocity.value() * scaling::kDegrees},
+                {"angular_acceleration_deg_s2", turn.angular_acceleration.value() * scaling::kDegrees}};
+    }
+    return {{"displacement_mm", demand.displacement.value() / 1e-3},
+            {"half_range_mm", demand.half_range.value() / 1e-3},
+            {"velocity_cm_s", demand.velocity.value() / 1e-2},
+            {"acceleration_g", demand.acceleration.value() / scaling::kStandardGravity.value()}};
+}
+
+/// Unit of pseudo accelerations: g, or rad/s² of a rotation.
+DisplayUnit find_psa_unit(const records::SpectrumChange& change) {
+    return change.is_rotation ? DisplayUnit{"rad/s2", 1.0} : DisplayUnit{"g", scaling::kStandardGravity.value()};
 }
 
 std::optional<double> find_mean_psa_factor(const records::TimeSeries& before, const records::TimeSeries& after,
@@ -98,15 +129,13 @@ nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std
                 for (const scaling::LengthRange& range : *ranges) limits.back()["scales"].push_back({range.smallest, range.largest});
             }
         }
-        list.push_back({{"component", component.component},
-                        {"axis", component.axis},
-                        {"displacement_mm", component.demand.displacement.value() / 1e-3},
-                        {"half_range_mm", component.demand.half_range.value() / 1e-3},
-                        {"velocity_cm_s", component.demand.velocity.value() / 1e-2},
-                        {"acceleration_g", component.demand.acceleration.value() / scaling::kStandardGravity.value()},
-                        {"lowest_frequency_hz", component.demand.lowest_frequency.value()},
-                        {"highest_frequency_hz", component.demand.highest_frequency.value()},
-                        {"limits", limits}});
+        nlohmann::json object = list_demand(component.demand, component.is_rotation);
+        object["component"] = component.component;
+        object["axis"] = component.axis;
+        object["lowest_frequency_hz"] = component.demand.lowest_frequency.value();
+        object["highest_frequency_hz"] = component.demand.highest_frequency.value();
+        object["limits"] = limits;
+        list.push_back(std::move(object));
     }
     return list;
 }
@@ -126,10 +155,12 @@ nlohmann::json to_json(const records::Correction& correction, const scaling::Mod
         const auto before = change.before.pseudo_acceleration(), after = change.after.pseudo_acceleration();
         nlohmann::json rows = nlohmann::json::array();
         for (std::size_t i = 0; i < before.size(); ++i) {
+            const DisplayUnit unit = find_psa_unit(change);
+            const std::string suffix = change.is_rotation ? "rad_s2" : "g";
             rows.push_back({{"period_s", change.before.period[i]},
                             {"prototype_period_s", change.before.period[i] / scales.time},
-                            {"psa_before_g", before[i] / scaling::kStandardGravity.value()},
-                            {"psa_after_g", after[i] / scaling::kStandardGravity.value()}});
+                            {"psa_before_" + suffix, before[i] / unit.si},
+                            {"psa_after_" + suffix, after[i] / unit.si}});
         }
         spectra.push_back({{"component", change.component}, {"rows", rows}});
     }
@@ -155,10 +186,13 @@ void print_uses(const std::vector<records::ComponentUse>& uses, const std::vecto
         }
     }
     for (const records::ComponentUse& component : uses) {
-        const double farthest = component.demand.displacement.value() / 1e-3, centered = component.demand.half_range.value() / 1e-3;
+        const records::TableDemand& demand = component.demand;
+        const DisplayUnit unit = find_units(component.is_rotation ? TableLimit::angle : TableLimit::displacement).usual;
+        const double farthest = (component.is_rotation ? demand.turn.angle.value() : demand.displacement.value()) / unit.si;
+        const double centered = (component.is_rotation ? demand.turn.half_range.value() : demand.half_range.value()) / unit.si;
         if (centered < 0.99 * farthest) {
-            print("{}: started {:.3g} mm off the middle, it would need {:.4g} mm to either side instead of {:.4g}\n", component.component,
-                  farthest - centered, centered, farthest);
+            print("{}: started {:.3g} {} off the middle, it would need {:.4g} {} to either side instead of {:.4g}\n", component.component,
+                  farthest - centered, unit.name, centered, unit.name, farthest);
         }
     }
 }
@@ -188,15 +222,20 @@ void print_correction(const records::Correction& correction, const scaling::Mode
 
 void print_spectra(const records::Correction& correction, const scaling::ModelScales& scales) {
     constexpr std::size_t kRows = 10;
-    print("{:<10} {:>15} {:>11} {:>14} {:>17} {:>9}\n", "component", "T prototype [s]", "T model [s]", "PSA record [g]",
-          "PSA corrected [g]", "ratio [-]");
+    std::string shown;
     for (const records::SpectrumChange& change : correction.spectra) {
+        const DisplayUnit unit = find_psa_unit(change);
+        if (shown != unit.name) {
+            print("{:<10} {:>15} {:>11} {:>14} {:>17} {:>9}\n", "component", "T prototype [s]", "T model [s]",
+                  fmt::format("PSA record [{}]", unit.name), fmt::format("PSA corrected [{}]", unit.name), "ratio [-]");
+            shown = unit.name;
+        }
         const auto before = change.before.pseudo_acceleration(), after = change.after.pseudo_acceleration();
         for (std::size_t row = 0; row < kRows; ++row) {
             const std::size_t i = row * (before.size() - 1) / (kRows - 1);
-            const double g = scaling::kStandardGravity.value(), period = change.before.period[i];
+            const double period = change.before.period[i];
             print("{:<10} {:>15.4g} {:>11.4g} {:>14.4g} {:>17.4g} {:>9.4f}\n", change.component, period / scales.time, period,
-                  before[i] / g, after[i] / g, after[i] / before[i]);
+                  before[i] / unit.si, after[i] / unit.si, after[i] / before[i]);
         }
     }
 }
@@ -204,7 +243,7 @@ void print_spectra(const records::Correction& correction, const scaling::ModelSc
 std::vector<DriveEffect> find_drive_effects(const records::GroundMotion& model, const records::DriveSettings& settings,
                                             std::span<const scaling::Time> periods) {
     const std::vector<records::DriveMotion> motions = records::make_drive_motions(model, settings);
-    const std::vector<records::MotionChange> changes = records::compare_drive_motions(model, settings);
+    const std::vector<records::ComponentChange> changes = records::compare_drive_motions(model, settings);
     std::vector<DriveEffect> effects;
     for (std::size_t c = 0; c < motions.size(); ++c) {
         const records::TimeSeries record = records::level_uncorrected(model.components[c].series, model.integration_corner);
@@ -216,7 +255,7 @@ std::vector<DriveEffect> find_drive_effects(const records::GroundMotion& model, 
 void print_drive_effects(const std::vector<DriveEffect>& effects) {
     print("The table's motion is that of the base in a run of the model's record, with filters and amplitude as said:\n");
     for (const DriveEffect& effect : effects) {
-        std::string line = records::describe(effect.change);
+        std::string line = std::visit([](const auto& change) { return records::describe(change); }, effect.change);
         if (effect.mean_psa_factor) line += fmt::format("; PSA by a factor {:.4g} on average", *effect.mean_psa_factor);
         print("  {}: {}\n", effect.component, line);
     }
@@ -224,7 +263,7 @@ void print_drive_effects(const std::vector<DriveEffect>& effects) {
 
 void warn_of_drive_effects(const std::string& record, const std::vector<DriveEffect>& effects) {
     for (const DriveEffect& effect : effects) {
-        const std::string what = records::describe_changed_peaks(effect.change);
+        const std::string what = std::visit([](const auto& change) { return records::describe_changed_peaks(change); }, effect.change);
         if (!what.empty()) note("musim: warning: {}: component {}: the table {}\n", record, effect.component, what);
     }
 }
@@ -233,9 +272,12 @@ nlohmann::json to_json(const std::vector<DriveEffect>& effects) {
     nlohmann::json list = nlohmann::json::array();
     for (const DriveEffect& effect : effects) {
         nlohmann::json object{{"component", effect.component}, {"mean_psa_factor", or_null(effect.mean_psa_factor)}};
-        for (const auto& [key, value] : list_peaks(effect.change.record)) object[key] = nlohmann::json::array({value});
-        for (const auto& [key, value] : list_peaks(effect.change.base)) object[key].push_back(value);
-        for (const auto& [key, value] : list_peaks(effect.change.difference)) object["largest_difference"][key] = value;
+        const auto add = [&](const auto& change) {
+            for (const auto& [key, value] : list_peaks(change.record)) object[key] = nlohmann::json::array({value});
+            for (const auto& [key, value] : list_peaks(change.base)) object[key].push_back(value);
+            for (const auto& [key, value] : list_peaks(change.difference)) object["largest_difference"][key] = value;
+        };
+        std::visit(add, effect.change);
         list.push_back(std::move(object));
     }
     return list;

@@ -32,7 +32,7 @@ void print_spectra(const records::Correction& correction, const scaling::ModelSc
 /// Effect of filters, amplitude, step and end at rest on one component of a model's record.
 struct DriveEffect {
     std::string component;
-    records::MotionChange change;
+    records::ComponentChange change;
     std::optional<double> mean_psa_factor;  ///< exp of the mean |ln| of the ratio of 5 % PSA; of accelerations
 };
 

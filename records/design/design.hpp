@@ -54,10 +54,13 @@ struct Limits {
 /// Peaks of a motion for one axis, where there is no record. A limit of the axis needs its peak.
 struct GivenPeaks {
     std::string axis;
-    scaling::Acceleration acceleration{};
+    scaling::Acceleration acceleration{};  ///< always given of an axis that is a translation
     std::optional<scaling::Velocity> velocity = {};
     std::optional<scaling::Length> displacement = {};
     std::optional<scaling::Frequency> lowest_frequency = {}, highest_frequency = {};
+    std::optional<scaling::AngularAcceleration> angular_acceleration = {};  ///< of an axis that is a rotation, where the others are missing
+    std::optional<scaling::Frequency> angular_velocity = {};
+    std::optional<scaling::Ratio> angle = {};  ///< [rad]
 };
 
 /// A record's file and (component, axis) pairs; without any, as records::assign_axes() has it.

@@ -47,7 +47,11 @@ std::vector<AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, const Sha
         const auto lowest = take_peak(given.lowest_frequency, axis.lowest_frequency.has_value(), "lowest_frequency", given, source);
         const bool is_upper_limited = axis.highest_frequency || axis.oil_column || axis.controller_rate;
         const auto highest = take_peak(given.highest_frequency, is_upper_limited, "highest_frequency", given, source);
-        loads.push_back({axis, {displacement, displacement, velocity, given.acceleration, lowest, highest}});
+        const bool needs_angle = axis.angle || (axis.is_rotation && axis.overturning_moment);
+        const auto angle = take_peak(given.angle, needs_angle, "angle", given, source);
+        const auto rate = take_peak(given.angular_velocity, axis.angular_velocity.has_value(), "angular_velocity", given, source);
+        const auto turned = given.angular_acceleration.value_or(scaling::AngularAcceleration{});
+        loads.push_back({axis, {displacement, displacement, velocity, given.acceleration, lowest, highest, {angle, angle, rate, turned}}});
     }
     return loads;
 }

@@ -70,13 +70,30 @@ std::vector<Material> read_materials(const JsonReader& fields, const std::vector
     return materials;
 }
 
+void read_rotation_peaks(const JsonReader& row, GivenPeaks& peaks) {
+    for (const char* const key : {"acceleration", "velocity", "displacement"}) {
+        if (!row.has(key)) continue;
+        row.fail(fmt::format("{} is a peak of a translation (axis {} is a rotation)", key, peaks.axis),
+                 "give angular_acceleration, angular_velocity and angle");
+    }
+    peaks.angular_acceleration = detail::read_turn<scaling::AngularAcceleration>(row, "angular_acceleration", "200 deg/s^2");
+    if (!peaks.angular_acceleration) row.fail("angular_acceleration is missing", "add it");
+    peaks.angular_velocity = detail::read_turn<scaling::Frequency>(row, "angular_velocity", "30 deg/s");
+    peaks.angle = detail::read_turn<scaling::Ratio>(row, "angle", "5 deg");
+}
+
 std::vector<GivenPeaks> read_given_peaks(const JsonReader& fields) {
     std::vector<GivenPeaks> list;
     for (const JsonReader& entry : require_list(fields, "peaks", R"([{"axis": "x", "acceleration": "0.5 g", ...}])")) {
         const JsonReader row = entry.object();
-        GivenPeaks peaks{.axis = require_text(row, "axis"), .acceleration = require_positive<scaling::Acceleration>(row, "acceleration")};
-        peaks.velocity = read_positive<scaling::Velocity>(row, "velocity");
-        peaks.displacement = read_positive<scaling::Length>(row, "displacement");
+        GivenPeaks peaks{.axis = require_text(row, "axis")};
+        if (is_named_as_rotation(peaks.axis)) {
+            read_rotation_peaks(row, peaks);
+        } else {
+            peaks.acceleration = require_positive<scaling::Acceleration>(row, "acceleration");
+            peaks.velocity = read_positive<scaling::Velocity>(row, "velocity");
+            peaks.displacement = read_positive<scaling::Length>(row, "displacement");
+        }
         peaks.lowest_frequency = read_positive<scaling::Frequency>(row, "lowest_frequency");
         peaks.highest_frequency = read_positive<scaling::Frequency>(row, "highest_frequency");
         row.refuse_unknown_keys();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "records/shake_table/shake_table.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/laws/groups.hpp"
 #include "scaling/pi_quantity.hpp"
 
@@ -15,6 +16,7 @@ std::string describe_amount(double value, const std::string& unit) {
     // moments not in joules, frequencies not in kilohertz
     if (unit == "N m") return fmt::format("{:.{}g} kN m", value / 1e3, kDigits);
     if (unit == "Hz") return fmt::format("{:.{}g} Hz", value, kDigits);
+    if (unit.starts_with("rad")) return fmt::format("{:.{}g} deg{}", value * scaling::kDegrees, kDigits, unit.substr(3));
     return scaling::format_value(value, scaling::make_pi_quantity("amount", unit), kDigits);
 }
 

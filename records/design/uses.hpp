@@ -41,7 +41,7 @@ std::vector<LimitUse> find_axis_uses(const Prototype& prototype, const AxisLoad&
 /// The table's limits of all axes, then find_own_uses().
 std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::ModelScales& scales);
 
-/// A number in one of the units of Use as an engineer would write it: "12 mm", "0.51 g", "3.2 kN m", four digits.
+/// A number in one of the units of Use as an engineer would write it: "12 mm", "0.51 g", "3.2 kN m", "2.5 deg/s", four digits.
 std::string describe_amount(double value, const std::string& unit);
 
 /// "displacement of axis x".

@@ -30,9 +30,11 @@ TimeSeries hold(const TimeSeries& series, scaling::Time rest, double last) {
 
 Recipe make_drive_recipe(const GroundMotion& model, const DriveSettings& settings) {
     Recipe recipe;
-    const SampleQuantity quantity = model.components.front().series.quantity();
-    if (quantity == SampleQuantity::displacement) recipe.emplace_back(step::Differentiate{});
-    if (quantity != SampleQuantity::acceleration) recipe.emplace_back(step::Differentiate{});
+    const int order = derivative_order(model.components.front().series.quantity());
+    const bool is_mixed = std::any_of(model.components.begin(), model.components.end(),
+                                      [&](const Component& each) { return derivative_order(each.series.quantity()) != order; });
+    if (is_mixed) recipe.emplace_back(step::ToAcceleration{});
+    for (int i = order; i < 2 && !is_mixed; ++i) recipe.emplace_back(step::Differentiate{});
     if (model.components.size() > 1) recipe.emplace_back(step::Align{});
     if (model.integration_corner) recipe.emplace_back(step::Baseline{.order = 0});
     const auto corner = settings.high_pass ? settings.high_pass : model.integration_corner;
@@ -53,23 +55,32 @@ std::vector<DriveMotion> make_drive_motions(const GroundMotion& model, const Dri
     return motions;
 }
 
-std::vector<MotionChange> compare_drive_motions(const GroundMotion& model, const DriveSettings& settings) {
+std::vector<ComponentChange> compare_drive_motions(const GroundMotion& model, const DriveSettings& settings) {
     const std::vector<DriveMotion> motions = make_drive_motions(model, settings), own = make_drive_motions(model, settings.at_own_step());
     const GroundMotion aligned = model.components.size() > 1 ? align(model) : model;
-    std::vector<MotionChange> changes;
+    std::vector<ComponentChange> changes;
     for (std::size_t c = 0; c < motions.size(); ++c) {
         const RecordedMotion record =
             make_base_motion(aligned.components[c].series, {.integration_corner = model.integration_corner}).record;
-        MotionChange& change = changes.emplace_back(compare_motions(own[c].velocity, record));
-        change.base = {.pga = scaling::Acceleration::from_value(find_largest(motions[c].acceleration.samples())),
-                       .pgv = scaling::Velocity::from_value(find_largest(motions[c].velocity.samples())),
-                       .pgd = scaling::Length::from_value(find_largest(motions[c].displacement.samples()))};
+        ComponentChange& change = changes.emplace_back(compare_component(own[c].velocity, record));
+        const double acceleration = find_largest(motions[c].acceleration.samples());
+        const double velocity = find_largest(motions[c].velocity.samples());
+        const double displacement = find_largest(motions[c].displacement.samples());
+        if (auto* const motion = std::get_if<MotionChange>(&change)) {
+            motion->base = {.pga = scaling::Acceleration::from_value(acceleration),
+                            .pgv = scaling::Velocity::from_value(velocity),
+                            .pgd = scaling::Length::from_value(displacement)};
+        } else {
+            std::get<RotationChange>(change).base = {.acceleration = scaling::AngularAcceleration::from_value(acceleration),
+                                                     .rate = scaling::Frequency::from_value(velocity),
+                                                     .angle = scaling::Ratio::from_value(displacement)};
+        }
     }
     return changes;
 }
 
 DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest) {
-    require_quantity(acceleration_at_rest, SampleQuantity::acceleration, "a table's motion");
+    require_acceleration(acceleration_at_rest, "a table's motion");
     const TimeSeries velocity = integrate(acceleration_at_rest);
     return {acceleration_at_rest, velocity, integrate(velocity)};
 }
@@ -77,8 +88,8 @@ DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest) {
 DriveMotion add_rest(const DriveMotion& motion, scaling::Time rest) {
     const double last = std::abs(motion.velocity.samples().back());
     if (!(last <= kAtRest * find_largest(motion.velocity.samples()))) {
-        throw ProcessingError(
-            fmt::format("the motion ends at {:.3g} m/s (a table must stop); let it end at rest, displaced if need be", last));
+        throw ProcessingError(fmt::format("the motion ends at {:.3g} {} (a table must stop); let it end at rest, displaced if need be",
+                                          last, si_unit_name(motion.velocity.quantity())));
     }
     const double end = motion.displacement.samples().back();
     const bool is_home = std::abs(end) <= kAtRest * find_largest(motion.displacement.samples());

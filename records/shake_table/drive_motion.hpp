@@ -22,7 +22,8 @@ struct DriveSettings {
     DriveSettings at_own_step() const { return {high_pass, low_pass, amplitude, {}, at_rest}; }
 };
 
-/// Acceleration, velocity and displacement of a table, on one clock, each the trapezoid integral of the one before.
+/// Acceleration, velocity and displacement of a table, of a rotation the angular ones and the angle, on one clock, each the trapezoid
+/// integral of the one before.
 struct DriveMotion {
     TimeSeries acceleration, velocity, displacement;
 };
@@ -37,7 +38,7 @@ Recipe make_drive_recipe(const GroundMotion& model, const DriveSettings& setting
 std::vector<DriveMotion> make_drive_motions(const GroundMotion& model, const DriveSettings& settings = {});
 
 /// The same motions at the record's step against the record, with the peaks that they have at the controller's.
-std::vector<MotionChange> compare_drive_motions(const GroundMotion& model, const DriveSettings& settings = {});
+std::vector<ComponentChange> compare_drive_motions(const GroundMotion& model, const DriveSettings& settings = {});
 
 /// Integrates an acceleration that process() brought to rest. Velocity and displacement start at zero. Throws ProcessingError for another
 /// quantity.

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <initializer_list>
 
 #include "records/error.hpp"
 #include "records/json_rules.hpp"
@@ -63,38 +65,56 @@ OilColumn read_oil_column(const JsonReader& fields) {
     return column;
 }
 
-TableAxis read_axis(const JsonReader& fields, bool was_in_order) {
+/// Limits that translations and rotations share.
+void read_common_limits(const JsonReader& fields, TableAxis& axis) {
+    axis.overturning_moment = read_limit<scaling::Moment>(fields, "overturning_moment");
+    axis.payload = read_limit<scaling::Mass>(fields, "payload");
+    axis.lowest_frequency = read_limit<scaling::Frequency>(fields, "lowest_frequency");
+    axis.highest_frequency = read_limit<scaling::Frequency>(fields, "highest_frequency");
+    if (axis.lowest_frequency && axis.highest_frequency && *axis.lowest_frequency >= *axis.highest_frequency) {
+        fields.fail("lowest_frequency is not below highest_frequency", "exchange them");
+    }
+}
+
+void refuse_limits(const JsonReader& fields, std::initializer_list<const char*> keys, const char* what, const char* what_to_do) {
+    for (const char* const key : keys)
+        if (fields.has(key)) fields.fail(fmt::format("{} is a limit of {}", key, what), what_to_do);
+}
+
+TableAxis read_translation(const JsonReader& fields, bool was_in_order) {
+    refuse_limits(fields, {"angle", "angular_velocity", "angular_acceleration"}, "rotations (this axis is a translation)",
+                  "give displacement, velocity and acceleration, or name the axis roll, pitch or yaw");
     TableAxis axis;
     axis.displacement = read_limit<scaling::Length>(fields, "displacement");
     axis.velocity = read_limit<scaling::Velocity>(fields, "velocity");
     axis.acceleration = read_acceleration(fields, was_in_order);
     axis.force = read_limit<scaling::Force>(fields, "force");
     axis.moving_mass = read_limit<scaling::Mass>(fields, "moving_mass");
-    axis.overturning_moment = read_limit<scaling::Moment>(fields, "overturning_moment");
-    axis.payload = read_limit<scaling::Mass>(fields, "payload");
-    axis.lowest_frequency = read_limit<scaling::Frequency>(fields, "lowest_frequency");
-    axis.highest_frequency = read_limit<scaling::Frequency>(fields, "highest_frequency");
+    read_common_limits(fields, axis);
     if (fields.has("oil_column")) axis.oil_column = read_oil_column(fields["oil_column"].object());
     if ((axis.force || axis.oil_column) && !axis.moving_mass) {
         fields.fail("moving_mass is missing (force and oil column act on table and payload)", "add the mass of platen and rods");
     }
-    if (axis.lowest_frequency && axis.highest_frequency && *axis.lowest_frequency >= *axis.highest_frequency) {
-        fields.fail("lowest_frequency is not below highest_frequency", "exchange them");
-    }
     return axis;
 }
 
-/// Names of rotations as tables and records have them: roll, pitch, yaw, rx, rot_z, theta_x, and SEED's channels of rotational seismometers
-/// (instrument J: HJE, BJ1).
-bool is_rotation(std::string_view name) {
-    std::string low;
-    for (const char c : name) {
-        if (c != '_' && c != '-' && c != ' ') low += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+TableAxis read_rotation(const JsonReader& fields) {
+    refuse_limits(fields, {"displacement", "velocity", "acceleration", "force", "moving_mass", "oil_column"},
+                  "translations (this axis is a rotation)", "give angle, angular_velocity and angular_acceleration");
+    TableAxis axis;
+    axis.is_rotation = true;
+    axis.angle = detail::read_turn<scaling::Ratio>(fields, "angle", "5 deg", kGiveMagnitude);
+    axis.angular_velocity = detail::read_turn<scaling::Frequency>(fields, "angular_velocity", "30 deg/s", kGiveMagnitude);
+    axis.angular_acceleration =
+        detail::read_turn<scaling::AngularAcceleration>(fields, "angular_acceleration", "200 deg/s^2", kGiveMagnitude);
+    const int given = int{axis.angle.has_value()} + int{axis.angular_velocity.has_value()} + int{axis.angular_acceleration.has_value()};
+    if (given != 0 && given != 3) {
+        const char* const missing = !axis.angle ? "angle" : !axis.angular_velocity ? "angular_velocity" : "angular_acceleration";
+        fields.fail(fmt::format("{} is missing (a rotation is limited in angle, angular_velocity and angular_acceleration)", missing),
+                    "add it");
     }
-    constexpr std::string_view kNames[] = {"roll", "pitch", "yaw", "rx", "ry", "rz", "rotx", "roty", "rotz", "thetax", "thetay", "thetaz"};
-    if (std::find(std::begin(kNames), std::end(kNames), low) != std::end(kNames)) return true;
-    if (low.starts_with("rotation")) return true;
-    return low.size() == 3 && low[1] == 'j' && std::string_view("zne123").find(low[2]) != std::string_view::npos;
+    read_common_limits(fields, axis);
+    return axis;
 }
 
 /// One entry of the list stands for as many axes as it has names.
@@ -103,14 +123,20 @@ void add_axes(std::vector<TableAxis>& axes, const JsonReader& fields, bool was_i
     if (!fields.has("names") || !fields["names"].json().is_array() || fields["names"].json().empty()) {
         fields.fail("has no names", "add \"names\": [\"x\"], one for each direction that has these limits");
     }
-    const TableAxis limits = read_axis(fields, was_in_order);
+    const auto turns = [](const Json& name) { return name.is_string() && is_named_as_rotation(name.get<std::string>()); };
+    const Json& names = fields["names"].json();
+    const auto rotations = std::count_if(names.begin(), names.end(), turns);
+    if (rotations != 0 && rotations != static_cast<std::ptrdiff_t>(names.size())) {
+        fields.fail("names are of translations and of rotations (their limits have other units)", "write an entry of \"axes\" for each");
+    }
+    const TableAxis limits = rotations != 0 ? read_rotation(fields) : read_translation(fields, was_in_order);
     fields.refuse_unknown_keys();
-    for (const Json& name : fields["names"].json()) {
+    for (const Json& name : names) {
         if (!name.is_string()) fields.fail("a name is no text", "write it in quotes");
         TableAxis axis = limits;
         axis.name = name.get<std::string>();
-        if (is_rotation(axis.name)) {
-            fields.fail(fmt::format("\"{}\" is a rotation (a table's axes are translations here)", axis.name), "leave it out");
+        if (axis.is_rotation && axis.overturning_moment && find_turned_axis(axis.name) == 'z') {
+            fields.fail(fmt::format("overturning_moment of \"{}\" (nothing overturns about the vertical)", axis.name), "remove it");
         }
         if (std::any_of(axes.begin(), axes.end(), [&](const TableAxis& other) { return other.name == axis.name; })) {
             fields.fail(fmt::format("the name \"{}\" comes twice", axis.name), "give every direction its own");
@@ -120,10 +146,12 @@ void add_axes(std::vector<TableAxis>& axes, const JsonReader& fields, bool was_i
 }
 
 SampleUnit read_unit(const JsonReader& fields, SampleQuantity quantity, const char* standard) {
-    const std::string key(to_string(quantity)), name = fields.find<std::string>(key).value_or(standard);
+    std::string key(to_string(quantity));
+    std::replace(key.begin(), key.end(), ' ', '_');
+    const std::string name = fields.find<std::string>(key).value_or(standard);
     const auto unit = find_sample_unit(name);
     if (!unit || unit->quantity != quantity) {
-        fields.fail(fmt::format("{} is in no unit of its own (\"{}\")", key, name), "use one of " + sample_unit_names());
+        fields.fail(fmt::format("{} is in no unit of its own (\"{}\")", key, name), "use one of " + all_sample_unit_names());
     }
     return *unit;
 }
@@ -159,6 +187,9 @@ ControllerFormat read_controller(const JsonReader& fields) {
     format.displacement = read_unit(fields, SampleQuantity::displacement, "m");
     format.velocity = read_unit(fields, SampleQuantity::velocity, "m/s");
     format.acceleration = read_unit(fields, SampleQuantity::acceleration, "m/s^2");
+    format.angle = read_unit(fields, SampleQuantity::angle, "rad");
+    format.angular_velocity = read_unit(fields, SampleQuantity::angular_velocity, "rad/s");
+    format.angular_acceleration = read_unit(fields, SampleQuantity::angular_acceleration, "rad/s^2");
     if (fields.has("columns")) format.columns = read_columns(fields);
     format.separator = read_separator(fields);
     fields.read("header", format.header);
@@ -168,24 +199,46 @@ ControllerFormat read_controller(const JsonReader& fields) {
     return format;
 }
 
+std::string name_source(const GroundMotion& motion) { return motion.source.empty() ? "record" : motion.source; }
+
+/// The first free axis for a component; none: the end.
+std::vector<const TableAxis*>::iterator find_free_axis(std::vector<const TableAxis*>& free, const Component& component) {
+    const bool turns = is_rotation(component), vertical = is_vertical(component);
+    const auto direction = turns ? find_turned_axis(component.name) : std::nullopt;
+    const auto fits = [&](const TableAxis* axis) {
+        if (axis->is_rotation != turns) return false;
+        return turns ? !direction || find_turned_axis(axis->name) == direction : is_vertical_axis(*axis) == vertical;
+    };
+    return std::find_if(free.begin(), free.end(), fits);
+}
+
 std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& motion, const ShakeTable& table) {
     std::vector<std::pair<std::string, std::string>> pairs;
     std::vector<const TableAxis*> free;
     for (const TableAxis& axis : table.axes) free.push_back(&axis);
     for (const Component& component : motion.components) {
-        const bool vertical = is_vertical(component);
-        const auto axis =
-            std::find_if(free.begin(), free.end(), [&](const TableAxis* each) { return is_vertical_axis(*each) == vertical; });
+        const auto axis = find_free_axis(free, component);
         if (axis == free.end()) {
-            throw ReadError(
-                fmt::format("{}: the table has no {} axis left for component {}", motion.source.empty() ? "record" : motion.source,
-                            vertical ? "vertical" : "horizontal", component.name),
-                Remedy{"choose components with ", Setting::axes});
+            const char* const kind = is_rotation(component) ? "rotation" : is_vertical(component) ? "vertical" : "horizontal";
+            throw ReadError(fmt::format("{}: the table has no {} axis left for component {}", name_source(motion), kind, component.name),
+                            Remedy{"choose components with ", Setting::axes});
         }
         pairs.emplace_back(component.name, (*axis)->name);
         free.erase(axis);
     }
     return pairs;
+}
+
+/// Refuses a component on an axis of the other kind.
+void require_same_kind(const GroundMotion& motion, const Component& component, const TableAxis& axis) {
+    if (is_rotation(component) == axis.is_rotation) return;
+    const std::string quantity(to_string(component.series.quantity()));
+    const std::string place = fmt::format("{}: component {} is {}", name_source(motion), component.name, quantity);
+    if (!is_rotation(component) && is_named_as_rotation(component.name)) {
+        throw ReadError(place + " by its unit, and a rotation by its name", Remedy("name the unit of its samples, such as rad/s"));
+    }
+    throw ReadError(fmt::format("{}, and axis {} is a {}", place, axis.name, axis.is_rotation ? "rotation" : "translation"),
+                    Remedy{"choose components with ", Setting::axes});
 }
 
 }  // namespace
@@ -222,6 +275,16 @@ ShakeTable parse_shake_table(std::string_view json, const std::string& source, s
 
 bool is_vertical_axis(const TableAxis& axis) { return axis.name == "z" || axis.name == "vertical"; }
 
+std::optional<char> find_turned_axis(std::string_view name) {
+    constexpr std::pair<std::string_view, char> kNames[] = {{"roll", 'x'}, {"pitch", 'y'}, {"yaw", 'z'}};
+    std::string low(name);
+    for (char& letter : low) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    for (const auto& [title, direction] : kNames)
+        if (low == title) return direction;
+    const char last = low.empty() ? ' ' : low.back();
+    return last == 'x' || last == 'y' || last == 'z' ? std::optional(last) : std::nullopt;
+}
+
 scaling::Shaking find_shaking(const TableAxis& axis) {
     return is_vertical_axis(axis) ? scaling::Shaking::vertical : scaling::Shaking::horizontal;
 }
@@ -236,11 +299,7 @@ AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
             throw ReadError(fmt::format("axis {} is to make two components; give each its own", name));
         }
         const Component& moved = motion.find_component(component);
-        if (is_rotation(moved.name)) {
-            throw ReadError(fmt::format("{}: component {} is a rotation (a table's axes are translations here)",
-                                        motion.source.empty() ? "record" : motion.source, moved.name),
-                            Remedy("name the components that are translations"));
-        }
+        require_same_kind(motion, moved, table.find_axis(name));
         assigned.motion.components.push_back(moved);
         assigned.axes.push_back(table.find_axis(name));
     }

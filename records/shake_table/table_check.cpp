@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -13,9 +14,19 @@ namespace musim::records {
 namespace {
 
 /// Name and SI unit, in the order of TableLimit.
-constexpr std::pair<std::string_view, std::string_view> kLimits[] = {
-    {"displacement", "m"}, {"velocity", "m/s"},        {"acceleration", "m/s^2"},   {"force", "N"},       {"overturning moment", "N m"},
-    {"payload", "kg"},     {"lowest frequency", "Hz"}, {"highest frequency", "Hz"}, {"oil column", "Hz"}, {"controller band", "Hz"}};
+constexpr std::pair<std::string_view, std::string_view> kLimits[] = {{"displacement", "m"},
+                                                                     {"velocity", "m/s"},
+                                                                     {"acceleration", "m/s^2"},
+                                                                     {"force", "N"},
+                                                                     {"overturning moment", "N m"},
+                                                                     {"payload", "kg"},
+                                                                     {"lowest frequency", "Hz"},
+                                                                     {"highest frequency", "Hz"},
+                                                                     {"oil column", "Hz"},
+                                                                     {"controller band", "Hz"},
+                                                                     {"angle", "rad"},
+                                                                     {"angular velocity", "rad/s"},
+                                                                     {"angular acceleration", "rad/s^2"}};
 
 /// Frequencies with `share` of ∫a² dt above, and below.
 std::pair<scaling::Frequency, scaling::Frequency> find_band(const TimeSeries& acceleration, double energy_share) {
@@ -42,6 +53,13 @@ scaling::Acceleration find_acceleration_limit(const std::vector<PayloadLimit>& l
     return scaling::Acceleration::from_value(1.0 / inverse);
 }
 
+/// Overturning moment [N m] of a payload that a translation accelerates, or that a rotation turns; one of the two is zero.
+double find_moment(const TableDemand& demand, const Payload& payload) {
+    const double m = payload.mass.value(), h = payload.height.value(), g = scaling::kStandardGravity.value();
+    const double tilt = std::sin(std::min(demand.turn.angle.value(), 0.5 * std::numbers::pi));
+    return m * h * (demand.acceleration.value() + h * demand.turn.angular_acceleration.value() + g * tilt);
+}
+
 }  // namespace
 
 TableDemand find_demand(const DriveMotion& motion, double energy_share) {
@@ -50,12 +68,20 @@ TableDemand find_demand(const DriveMotion& motion, double energy_share) {
     if (acceleration == 0.0) throw ProcessingError("the motion is zero everywhere; give a record with a motion");
     const auto [low, high] = std::minmax_element(displacement.begin(), displacement.end());
     const auto [lowest, highest] = find_band(motion.acceleration, energy_share);
-    return {find_largest(displacement) * scaling::si::meters,
-            0.5 * (*high - *low) * scaling::si::meters,
-            find_largest(motion.velocity.samples()) * scaling::si::meters_per_second,
-            acceleration * scaling::si::meters_per_second_squared,
-            lowest,
-            highest};
+    const double farthest = find_largest(displacement), half_range = 0.5 * (*high - *low);
+    const double velocity = find_largest(motion.velocity.samples());
+    TableDemand demand{
+        .displacement = {}, .half_range = {}, .velocity = {}, .acceleration = {}, .lowest_frequency = lowest, .highest_frequency = highest};
+    if (is_rotation(motion.displacement.quantity())) {
+        demand.turn = {scaling::Ratio::from_value(farthest), scaling::Ratio::from_value(half_range),
+                       scaling::Frequency::from_value(velocity), scaling::AngularAcceleration::from_value(acceleration)};
+        return demand;
+    }
+    demand.displacement = farthest * scaling::si::meters;
+    demand.half_range = half_range * scaling::si::meters;
+    demand.velocity = velocity * scaling::si::meters_per_second;
+    demand.acceleration = acceleration * scaling::si::meters_per_second_squared;
+    return demand;
 }
 
 std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSettings& settings, double energy_share) {
@@ -71,16 +97,26 @@ std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSett
 
 TableDemand to_model(const TableDemand& prototype, const scaling::ModelScales& scales, scaling::Shaking direction) {
     const scaling::ShakingScales motion = scales.shaking(direction);
-    return {motion.displacement * prototype.displacement,  motion.displacement * prototype.half_range,
-            motion.velocity * prototype.velocity,          motion.acceleration * prototype.acceleration,
-            scales.frequency * prototype.lowest_frequency, scales.frequency * prototype.highest_frequency};
+    return {motion.displacement * prototype.displacement,
+            motion.displacement * prototype.half_range,
+            motion.velocity * prototype.velocity,
+            motion.acceleration * prototype.acceleration,
+            scales.frequency * prototype.lowest_frequency,
+            scales.frequency * prototype.highest_frequency,
+            {prototype.turn.angle, prototype.turn.half_range, scales.angular_velocity() * prototype.turn.angular_velocity,
+             scales.angular_acceleration() * prototype.turn.angular_acceleration}};
 }
 
 TableDemand to_prototype(const TableDemand& model, const scaling::ModelScales& scales, scaling::Shaking direction) {
     const scaling::ShakingScales motion = scales.shaking(direction);
-    return {model.displacement / motion.displacement,  model.half_range / motion.displacement,
-            model.velocity / motion.velocity,          model.acceleration / motion.acceleration,
-            model.lowest_frequency / scales.frequency, model.highest_frequency / scales.frequency};
+    return {model.displacement / motion.displacement,
+            model.half_range / motion.displacement,
+            model.velocity / motion.velocity,
+            model.acceleration / motion.acceleration,
+            model.lowest_frequency / scales.frequency,
+            model.highest_frequency / scales.frequency,
+            {model.turn.angle, model.turn.half_range, model.turn.angular_velocity / scales.angular_velocity(),
+             model.turn.angular_acceleration / scales.angular_acceleration()}};
 }
 
 Payload Payload::on_model(const scaling::ModelScales& scales) const {
@@ -110,9 +146,13 @@ std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axi
         const scaling::Force force = (*axis.moving_mass + payload.mass) * demand.acceleration;
         add(TableLimit::force, force.value(), axis.force->value());
     }
+    if (axis.angle) add(TableLimit::angle, demand.turn.angle.value(), axis.angle->value());
+    if (axis.angular_velocity) add(TableLimit::angular_velocity, demand.turn.angular_velocity.value(), axis.angular_velocity->value());
+    if (axis.angular_acceleration) {
+        add(TableLimit::angular_acceleration, demand.turn.angular_acceleration.value(), axis.angular_acceleration->value());
+    }
     if (axis.overturning_moment) {
-        const double moment = payload.mass.value() * payload.height.value() * demand.acceleration.value();
-        add(TableLimit::overturning_moment, moment, axis.overturning_moment->value());
+        add(TableLimit::overturning_moment, find_moment(demand, payload), axis.overturning_moment->value());
     }
     if (axis.payload) add(TableLimit::payload, payload.mass.value(), axis.payload->value());
     if (axis.lowest_frequency) add(TableLimit::lowest_frequency, demand.lowest_frequency.value(), axis.lowest_frequency->value());

@@ -17,6 +17,14 @@ namespace musim::records {
 /// Frequency up to which a motion at some sampling rate is left as it is by resample(), over that rate: 0.9 of 0.95 of a half.
 inline constexpr double kFollowedShare = 0.9 * 0.95 * 0.5;
 
+/// Demand of a rotation.
+struct TurnDemand {
+    scaling::Ratio angle{};                               ///< largest, to either side of where it starts [rad]
+    scaling::Ratio half_range{};                          ///< as that of displacements
+    scaling::Frequency angular_velocity{};                ///< largest
+    scaling::AngularAcceleration angular_acceleration{};  ///< largest
+};
+
 /// Demand of a motion on a table.
 struct TableDemand {
     scaling::Length displacement;          ///< largest, to either side of where it starts
@@ -25,6 +33,7 @@ struct TableDemand {
     scaling::Acceleration acceleration;    ///< largest
     scaling::Frequency lowest_frequency;   ///< above it lies ShakeTable::energy_share of ∫a² dt
     scaling::Frequency highest_frequency;  ///< below it lies as much
+    TurnDemand turn = {};                  ///< of a rotation, whose displacement, velocity and acceleration are zero
 };
 
 /// Throws ProcessingError for a motion that is zero everywhere.
@@ -64,6 +73,9 @@ enum class TableLimit {
     highest_frequency,
     oil_column,
     controller_band,
+    angle,
+    angular_velocity,
+    angular_acceleration,
 };
 
 /// "displacement", "velocity", ..., "oil column".
@@ -86,6 +98,9 @@ struct LimitUse {
 ///   last as between the last two;
 ///   oil column: the share of its frequency on the bare table, times √(M/(M + m)) [ConteTrombetti00];
 ///   controller band: the frequencies that resample() keeps at its rate, kFollowedShare of it.
+/// Of an axis that is a rotation angle, angular velocity and angular acceleration α, the frequencies and the payload; its overturning
+/// moment about the axis, which lies in the platen, is m h (h α + g sin θ) of a payload in a point at the height h: in a turn to and fro
+/// the peaks come together. Moments of different axes are not added.
 std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axis, const Payload& payload);
 
 /// Load of one component of a record, in its prototype form, on one axis.

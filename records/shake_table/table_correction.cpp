@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace musim::records {
 namespace {
@@ -76,6 +77,13 @@ void measure_change(Correction& correction) {
     correction.mean_change = sum / static_cast<double>(count);
 }
 
+/// Response spectrum of a motion; an oscillator that turns answers angular accelerations by the same equation.
+ResponseSpectrum compute_spectrum(const DriveMotion& motion, const std::vector<scaling::Time>& periods) {
+    const std::span<const double> samples = motion.acceleration.samples();
+    return compute_response_spectrum(motion.acceleration.with_samples(SampleQuantity::acceleration, {samples.begin(), samples.end()}),
+                                     periods);
+}
+
 /// Looks for corrections at the record's own step.
 class Search {
   public:
@@ -83,7 +91,7 @@ class Search {
         task_.settings = task.settings.at_own_step();
         add_low_pass(task_, task_.settings);
         for (const DriveMotion& motion : make_drive_motions(task.model, task.settings.at_own_step())) {
-            before_.push_back(compute_response_spectrum(motion.acceleration, periods));
+            before_.push_back(compute_spectrum(motion, periods));
         }
     }
 
@@ -112,7 +120,7 @@ class Search {
         const std::vector<DriveMotion> motions = make_drive_motions(task_.model, settings.at_own_step());
         for (std::size_t c = 0; c < motions.size(); ++c) {
             correction.spectra.push_back(
-                {task_.model.components[c].name, before_[c], compute_response_spectrum(motions[c].acceleration, periods_)});
+                {task_.model.components[c].name, before_[c], compute_spectrum(motions[c], periods_), task_.axes[c].is_rotation});
         }
         measure_change(correction);
         return correction;
@@ -147,7 +155,8 @@ std::vector<ComponentUse> check_task(const TableTask& task, const DriveSettings&
     const std::vector<TableDemand> demands = find_demands(task.model, settings, task.energy_share);
     std::vector<ComponentUse> uses;
     for (std::size_t c = 0; c < demands.size(); ++c) {
-        uses.push_back({task.model.components[c].name, task.axes[c].name, demands[c], check_axis(demands[c], task.axes[c], task.payload)});
+        uses.push_back({task.model.components[c].name, task.axes[c].name, demands[c], check_axis(demands[c], task.axes[c], task.payload),
+                        task.axes[c].is_rotation});
     }
     return uses;
 }

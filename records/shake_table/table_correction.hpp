@@ -23,6 +23,7 @@ struct ComponentUse {
     std::string component, axis;
     TableDemand demand;
     std::vector<LimitUse> uses;
+    bool is_rotation = false;
 };
 
 /// Uses of all limits by the task's record, or by it changed as `settings` say. Throws ProcessingError as the steps do.
@@ -32,10 +33,12 @@ std::vector<ComponentUse> check_task(const TableTask& task, const DriveSettings&
 /// The largest LimitUse::used() of all; 0 without limits.
 double find_largest_use(const std::vector<ComponentUse>& uses);
 
-/// Response spectra of one component, 5 % of critical, before and after a correction.
+/// Response spectra of one component, 5 % of critical, before and after a correction; of a rotation those of an oscillator that turns, its
+/// pseudo accelerations in rad/s².
 struct SpectrumChange {
     std::string component;
     ResponseSpectrum before, after;
+    bool is_rotation = false;
 };
 
 /// A change of the record after which the table can make it, and what it does to the response.

@@ -21,13 +21,19 @@ std::string make_title(const std::string& axis, const SampleUnit& unit) {
 }
 
 Column make_column(DriveColumn column, const AxisMotion& axis, const ControllerFormat& format) {
+    const DriveMotion& motion = axis.motion;
+    const bool turns = is_rotation(motion.displacement.quantity());
+    const auto make = [&](const TimeSeries& series, const SampleUnit& along, const SampleUnit& about) {
+        const SampleUnit& unit = turns ? about : along;
+        return Column{make_title(axis.axis, unit), &series, unit.si};
+    };
     switch (column) {
         case DriveColumn::displacement:
-            return {make_title(axis.axis, format.displacement), &axis.motion.displacement, format.displacement.si};
+            return make(motion.displacement, format.displacement, format.angle);
         case DriveColumn::velocity:
-            return {make_title(axis.axis, format.velocity), &axis.motion.velocity, format.velocity.si};
+            return make(motion.velocity, format.velocity, format.angular_velocity);
         case DriveColumn::acceleration:
-            return {make_title(axis.axis, format.acceleration), &axis.motion.acceleration, format.acceleration.si};
+            return make(motion.acceleration, format.acceleration, format.angular_acceleration);
         case DriveColumn::time:
             break;
     }

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <numbers>
 #include <string>
 
+#include "records/design/uses.hpp"
 #include "records/error.hpp"
+#include "scaling/angle.hpp"
 #include "tests/records/design/tower.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -92,6 +95,36 @@ TEST_CASE("a peak that a limit needs must be given, others not") {
     table.axes[0].velocity = 1.0 * si::meters_per_second;
     CHECK(musim::tests::message_of<records::ReadError>([&] { make_loads(peaks, table, "d.json"); }) ==
           "d.json: record: velocity is missing (axis x of the table limits it); add it to the peaks");
+}
+
+TEST_CASE("peaks of rotations are held against limits of rotations") {
+    const Design design = parse(kPrototype + ", " + kMaterials +
+                                R"(, "table": "t", "record": {"peaks": [{"axis": "pitch", "angular_acceleration": "90 deg/s^2",
+        "angle": "2 deg"}]})");
+    const auto& peaks = std::get<std::vector<GivenPeaks>>(design.motion);
+    TableAxis axis{.name = "pitch", .is_rotation = true};
+    axis.angle = scaling::Ratio::from_value(0.1);
+    ShakeTable table{.name = "t", .source = "", .axes = {axis}};
+    const AxisLoad load = make_loads(peaks, table, "d.json").at(0);
+    CHECK(load.prototype.turn.angle.value() == doctest::Approx(2.0 * scaling::kDegree).epsilon(1e-15));
+    CHECK(load.prototype.turn.angular_acceleration.value() == doctest::Approx(0.5 * std::numbers::pi).epsilon(1e-15));
+    CHECK(load.prototype.acceleration.value() == 0.0);
+    CHECK(describe_amount(2.0 * scaling::kDegree, "rad") == "2 deg");
+    CHECK(describe_amount(scaling::kDegree, "rad/s^2") == "1 deg/s^2");
+
+    table.axes[0].angular_velocity = 1.0 / si::seconds;
+    CHECK(musim::tests::message_of<records::ReadError>([&] { make_loads(peaks, table, "d.json"); }) ==
+          "d.json: record: angular_velocity is missing (axis pitch of the table limits it); add it to the peaks");
+    const auto with = [](const std::string& peak) {
+        return kPrototype + ", " + kMaterials + R"(, "table": "t", "record": {"peaks": [{"axis": "yaw", )" + peak + "}]}";
+    };
+    check_refused(with(R"("acceleration": "0.5 g")"),
+                  "d.json: record: peaks 1: acceleration is a peak of a translation (axis yaw is a rotation); give angular_acceleration, "
+                  "angular_velocity and angle");
+    check_refused(with(R"("angle": "2 deg")"), "d.json: record: peaks 1: angular_acceleration is missing; add it");
+    check_refused(
+        with(R"("angular_acceleration": "2 1/s^2")"),
+        "d.json: record: peaks 1: angular_acceleration is 2 1/s^2 (neither in rad nor in deg); write text such as \"200 deg/s^2\"");
 }
 
 TEST_CASE("wrong designs are refused with the place and what to do") {

@@ -139,6 +139,49 @@ TEST_CASE("a drive file is a record again, of the quantity that is asked for") {
     CHECK(peak(SampleQuantity::displacement) == relative(0.025, 1e-12));
 }
 
+// x and y of accelerations, a rate about z, a drive file of six columns and more
+TEST_CASE("a drive file of translations and rotations is read back") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "drive.csv";
+    GroundMotion model = make_ten_seconds();
+    const TimeSeries translation = model.components[0].series;
+    for (const char* const name : {"ry", "rz"}) {
+        std::vector<double> samples(translation.samples().begin(), translation.samples().end());
+        model.components.push_back({name, {}, integrate(translation.with_samples(SampleQuantity::angular_acceleration, samples))});
+    }
+    CHECK(write_recipe(make_drive_recipe(model)).find("to_acceleration") != std::string::npos);
+    const std::vector<DriveMotion> motions = make_drive_motions(model);
+    REQUIRE(motions.size() == 3);
+    CHECK(motions[1].displacement.quantity() == SampleQuantity::angle);
+    std::vector<AxisMotion> axes;
+    for (std::size_t c = 0; c < 3; ++c) axes.push_back({c == 0 ? "x" : c == 1 ? "pitch" : "yaw", add_rest(motions[c], 0.5 * si::seconds)});
+    ControllerFormat format = make_format();
+    format.rate = 1.0 / translation.dt();
+    format.angle = *find_sample_unit("deg");
+    format.angular_velocity = *find_sample_unit("deg/s");
+    format.angular_acceleration = *find_sample_unit("rad/s^2");
+    format.columns = {DriveColumn::displacement, DriveColumn::acceleration};
+    format.digits = 17;
+    write_drive_file(path, axes, format);
+    CHECK(bytes_of(path).starts_with("x displacement [mm],x acceleration [m/s^2],pitch angle [deg],pitch angular acceleration [rad/s^2],"));
+
+    for (const SampleQuantity quantity : {SampleQuantity::displacement, SampleQuantity::acceleration}) {
+        const GroundMotion again = read_record(path, {.dt = translation.dt(), .quantity = quantity});
+        REQUIRE(again.components.size() == 3);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const DriveMotion& made = axes[c].motion;
+            const TimeSeries& wanted = quantity == SampleQuantity::displacement ? made.displacement : made.acceleration;
+            CHECK(again.components[c].series.quantity() == wanted.quantity());
+            REQUIRE(again.components[c].series.size() == wanted.size());
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                CHECK(std::abs(again.components[c].series.samples()[i] - wanted.samples()[i]) <= 1e-12 * largest(wanted));
+        }
+    }
+    const std::vector<ComponentChange> changes = compare_drive_motions(model);
+    CHECK(std::holds_alternative<MotionChange>(changes[0]));
+    CHECK(std::get<RotationChange>(changes[1]).base.rate.value() == largest(motions[1].velocity));
+}
+
 TEST_CASE("axes on different clocks make no drive file") {
     const TemporaryFolder folder;
     const auto path = folder.path() / "drive.csv";

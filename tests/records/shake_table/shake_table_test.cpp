@@ -4,6 +4,7 @@
 
 #include "records/error.hpp"
 #include "records/shake_table/shake_table.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::records {
 namespace {
@@ -138,26 +139,97 @@ TEST_CASE("components find their axes by themselves or as given") {
                       "a.v1: the table has no vertical axis left for component Up; choose components with pairs of component and axis");
 }
 
-TEST_CASE("a component that is a rotation moves no axis") {
-    const ShakeTable table = parse_shake_table(kTable, "t.json");
-    for (const char* const name : {"roll", "Pitch", "rot_z", "theta_x", "rotation about x", "HJE", "BJ1"}) {
-        GroundMotion motion = three_components();
-        motion.components[0].name = name;
-        CHECK_THROWS_WITH(assign_axes(motion, table, {{name, "x"}}),
-                          (std::string("a.v1: component ") + name +
-                           " is a rotation (a table's axes are translations here); name the components that are translations")
-                              .c_str());
-    }
+constexpr const char* kSixAxes = R"({"schema": "musim-table/1", "axes": [
+    {"names": ["x", "y", "z"], "displacement": "75 mm"},
+    {"names": ["roll", "pitch"], "angle": "5 deg", "angular_velocity": "30 deg/s", "angular_acceleration": "4 rad/s^2",
+     "overturning_moment": "2 kN*m"},
+    {"names": ["yaw"], "angle": "5 deg", "angular_velocity": "30 deg/s", "angular_acceleration": "4 rad/s^2"}]})";
+
+Component rotation(const std::string& name) {
+    Component turned = component(name);
+    turned.series = turned.series.with_samples(SampleQuantity::angular_velocity, {0.0, 1.0});
+    return turned;
+}
+
+TEST_CASE("limits of rotations are read in rad and deg") {
+    const ShakeTable table = parse_shake_table(kSixAxes, "t.json");
+    REQUIRE(table.axes.size() == 6);
+    const TableAxis& pitch = table.find_axis("pitch");
+    CHECK(pitch.is_rotation);
+    CHECK(pitch.angle->value() == 5.0 * scaling::kDegree);
+    CHECK(pitch.angular_velocity->value() == doctest::Approx(30.0 * scaling::kDegree).epsilon(1e-15));
+    CHECK(pitch.angular_acceleration->value() == 4.0);
+    CHECK(pitch.overturning_moment->value() == 2000.0);
+    CHECK_FALSE(table.find_axis("z").is_rotation);
+    CHECK(find_turned_axis("Roll") == 'x');
+    CHECK(find_turned_axis("ry") == 'y');
+    CHECK(find_turned_axis("HJ1") == std::nullopt);
+}
+
+TEST_CASE("rotations of a record find the axis about the same direction") {
     GroundMotion motion = three_components();
+    for (const char* const name : {"rz", "gyro x", "pitch"}) motion.components.push_back(rotation(name));
+    const AssignedAxes all = assign_axes(motion, parse_shake_table(kSixAxes, "t.json"), {});
+    REQUIRE(all.axes.size() == 6);
+    CHECK(all.axes[0].name == "z");
+    CHECK(all.axes[3].name == "yaw");
+    CHECK(all.axes[4].name == "roll");
+    CHECK(all.axes[5].name == "pitch");
+    CHECK_FALSE(is_vertical(motion.components[3]));
+    CHECK_THROWS_WITH(assign_axes(motion, parse_shake_table(kTable, "t.json"), {}),
+                      "a.v1: the table has no rotation axis left for component rz; choose components with pairs of component and axis");
+}
+
+TEST_CASE("a rotation moves no axis that is a translation, and the other way round") {
+    const ShakeTable table = parse_shake_table(kSixAxes, "t.json");
+    GroundMotion motion = three_components();
+    motion.components.push_back(rotation("roll"));
+    CHECK_THROWS_WITH(
+        assign_axes(motion, table, {{"roll", "x"}}),
+        "a.v1: component roll is angular velocity, and axis x is a translation; choose components with pairs of component and axis");
+    CHECK_THROWS_WITH(assign_axes(motion, table, {{"90", "yaw"}}),
+                      "a.v1: component 90 is acceleration, and axis yaw is a rotation; choose components with pairs of component and axis");
+    for (const char* const name : {"roll", "Pitch", "rot_z", "theta_x", "rotation about x", "HJE", "BJ1"}) {
+        CHECK(is_named_as_rotation(name));
+        motion.components[0].name = name;
+        CHECK_THROWS_AS(assign_axes({.source = "a", .components = {motion.components[0]}}, table, {{name, "yaw"}}), ReadError);
+    }
+    motion.components.pop_back();
+    motion.components[0].name = "rz";
+    CHECK_THROWS_WITH(assign_axes(motion, table, {{"rz", "yaw"}}),
+                      "a.v1: component rz is acceleration by its unit, and a rotation by its name; name the unit of its samples, such as "
+                      "rad/s");
     for (const char* const name : {"HNE", "NS2", "rake", "J"}) {
+        CHECK_FALSE(is_named_as_rotation(name));
         motion.components[0].name = name;
         CHECK(assign_axes(motion, table, {{name, "x"}}).axes.size() == 1);
     }
 }
 
-TEST_CASE("an axis that is a rotation is no axis of a table") {
-    const std::string error = error_of(R"({"schema": "musim-table/1", "axes": [{"names": ["x", "yaw"], "velocity": "1 m/s"}]})");
-    CHECK(error.find("\"yaw\" is a rotation (a table's axes are translations here); leave it out") != std::string::npos);
+TEST_CASE("limits of the other kind, without a unit or not all of a rotation are refused in one line") {
+    const auto turned = [](const std::string& fields) {
+        return R"({"schema": "musim-table/1", "axes": [{"names": ["yaw"], )" + fields + "}]}";
+    };
+    CHECK(
+        error_of(axis(R"("angle": "5 deg")")) ==
+        "t.json: axes 1: angle is a limit of rotations (this axis is a translation); give displacement, velocity and acceleration, or name "
+        "the axis roll, pitch or yaw");
+    CHECK(error_of(axis(R"("displacement": "5 deg")")).starts_with("t.json: axes 1: displacement: \"5 deg\""));
+    CHECK(error_of(turned(R"("displacement": "5 mm")")) ==
+          "t.json: axes 1: displacement is a limit of translations (this axis is a rotation); give angle, angular_velocity and "
+          "angular_acceleration");
+    CHECK(
+        error_of(turned(R"("angle": "5 deg", "angular_velocity": "9 deg/s")")) ==
+        "t.json: axes 1: angular_acceleration is missing (a rotation is limited in angle, angular_velocity and angular_acceleration); add "
+        "it");
+    CHECK(error_of(turned(R"("angle": 5)")) == "t.json: axes 1: angle is 5 (neither in rad nor in deg); write text such as \"5 deg\"");
+    CHECK(error_of(turned(R"("angle": "5 deg", "angular_velocity": "9 1/s", "angular_acceleration": "9 rad/s^2")")) ==
+          "t.json: axes 1: angular_velocity is 9 1/s (neither in rad nor in deg); write text such as \"30 deg/s\"");
+    CHECK(error_of(turned(R"("overturning_moment": "9 kN*m")")) ==
+          "t.json: axes 1: overturning_moment of \"yaw\" (nothing overturns about the vertical); remove it");
+    CHECK(error_of(R"({"schema": "musim-table/1", "axes": [{"names": ["x", "yaw"]}]})") ==
+          "t.json: axes 1: names are of translations and of rotations (their limits have other units); write an entry of \"axes\" for "
+          "each");
 }
 
 }  // namespace musim::records

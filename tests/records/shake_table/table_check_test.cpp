@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "records/error.hpp"
 #include "records/shake_table/table_check.hpp"
@@ -82,6 +83,51 @@ TEST_CASE("each limit of an axis is used as far as its formula says") {
     CHECK(use_of(table, TableLimit::oil_column, payload) == 12.0 / (0.6 * 0.5 * 40.0));  // four times the mass: half the frequency
     CHECK(use_of(table, TableLimit::controller_band, payload) == 12.0 / (kFollowedShare * 100.0));
     CHECK(check_axis(demand(), axis(), payload).empty());
+}
+
+// θ = Θ sin ωt about an axis in the platen: velocity Θω, acceleration Θω², m h (h Θω² + g sin Θ) against a mass m at the height h
+TEST_CASE("a turn uses the limits of its axis, and a moment against inertia and weight") {
+    const double angle = 0.05, omega = 4.0 * std::numbers::pi;
+    std::vector<double> samples;
+    constexpr std::size_t kSteps = 8000;  // of ten periods
+    for (std::size_t i = 0; i < kSteps; ++i)
+        samples.push_back(-angle * omega * omega * std::sin(omega * 5.0 * static_cast<double>(i) / static_cast<double>(kSteps)));
+    const TimeSeries acceleration(SampleQuantity::angular_acceleration, 0.0 * si::seconds, 5.0 / kSteps * si::seconds, samples);
+    // integrated from rest the sine drifts; the table's motion is the periodic one
+    const TimeSeries rate = integrate_by_frequency(acceleration);
+    const TableDemand turn = find_demand({acceleration, rate, integrate_by_frequency(rate)}, kEnergyShare);
+    CHECK(turn.displacement.value() == 0.0);
+    CHECK(turn.turn.angle.value() == relative(angle, 1e-3));
+    CHECK(turn.lowest_frequency.value() == relative(2.0, 0.11));
+
+    TableAxis table = axis();
+    table.name = "pitch";
+    table.is_rotation = true;
+    table.angle = scaling::Ratio::from_value(0.1);
+    table.angular_velocity = 2.0 / si::seconds;
+    table.angular_acceleration = scaling::AngularAcceleration::from_value(10.0);
+    table.overturning_moment = scaling::Moment::from_value(5e3);
+    const auto uses = check_axis(turn, table, load(600.0, 0.7));
+    REQUIRE(uses.size() == 4);
+    // 800 samples a period: peaks to (2π/800)²/8
+    CHECK(uses[0].used() == relative(angle / 0.1, 1e-3));
+    CHECK(uses[1].used() == relative(angle * omega / 2.0, 1e-3));
+    CHECK(uses[2].used() == relative(angle * omega * omega / 10.0, 1e-3));
+    CHECK(uses[3].which == TableLimit::overturning_moment);
+    CHECK(uses[3].demand ==
+          relative(600.0 * 0.7 * (0.7 * angle * omega * omega + scaling::kStandardGravity.value() * std::sin(angle)), 1e-3));
+
+    // angles keep their size, so the velocity's limit alone depends on the scale: λ_t = √λ_l in froude
+    const auto limits = find_limit_scales({{table, turn}}, load(0.0), by("froude"));
+    REQUIRE(limits.size() == 4);
+    CHECK(limits[0].ranges.front().smallest == kSmallestScale);
+    CHECK(limits[1].ranges.front().smallest == relative(std::pow(angle * omega / 2.0, 2), 1e-2));
+    const Similitude half = make_similitude("froude", {.length = 0.25});
+    const TableDemand model = to_model(turn, half), back = to_prototype(model, half);
+    CHECK(model.turn.angle == turn.turn.angle);
+    CHECK(model.turn.angular_velocity == 2.0 * turn.turn.angular_velocity);
+    CHECK(model.turn.angular_acceleration == 4.0 * turn.turn.angular_acceleration);
+    CHECK(back.turn.angular_acceleration == turn.turn.angular_acceleration);
 }
 
 TEST_CASE("between payloads the table's force is the same, beyond them too") {
