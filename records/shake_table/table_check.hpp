@@ -98,7 +98,7 @@ struct LimitUse {
 ///   last as between the last two;
 ///   oil column: the share of its frequency on the bare table, times √(M/(M + m)) [ConteTrombetti00];
 ///   controller band: the frequencies that resample() keeps at its rate, kFollowedShare of it.
-/// Of an axis that is a rotation angle, angular velocity and angular acceleration α, the frequencies and the payload; its overturning
+/// An axis that is a rotation has angle, angular velocity and angular acceleration α, the frequencies and the payload; its overturning
 /// moment about the axis, which lies in the platen, is m h (h α + g sin θ) of a payload in a point at the height h: in a turn to and fro
 /// the peaks come together. Moments of different axes are not added.
 std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axis, const Payload& payload);
