@@ -35,8 +35,9 @@ struct Lane {
         typename Step::Motion motion;
         motion.shift = {second[4] - first[4], second[5] - first[5], second[6] - first[6]};
         const Vector apart_before = apart - motion.shift;
-        motion.center = {-origin * apart, origin * apart};
-        motion.previous_center = {-origin * apart_before, origin * apart_before};
+        const Real rest = 1.0 - origin;
+        motion.center = {-origin * apart, rest * apart};
+        motion.previous_center = {-origin * apart_before, rest * apart_before};
         motion.turn = {Turn::of({first[0], first[1], first[2]}, first[3]), Turn::of({second[0], second[1], second[2]}, second[3])};
         origin_shift = (origin - 0.5) * apart;
         return motion;
