@@ -26,16 +26,30 @@ constexpr Biquad bilinear(double n0, double n1, double n2, double d0, double d1,
             .a2 = (d0 - d1 + d2) * scale};
 }
 
+/// State of a section between two samples; as it is here, at rest.
+struct BiquadMemory {
+    double first = 0.0;
+    double second = 0.0;
+
+    /// As after a constant sample that has lasted for ever, of which the section makes the constant `output`.
+    static BiquadMemory settled(const Biquad& filter, double sample, double output) {
+        const double second = filter.b2 * sample - filter.a2 * output;
+        return {filter.b1 * sample - filter.a1 * output + second, second};
+    }
+};
+
+/// Next sample of the output.
+inline double apply_biquad(const Biquad& filter, double sample, BiquadMemory& memory) {
+    const double output = filter.b0 * sample + memory.first;
+    memory.first = filter.b1 * sample - filter.a1 * output + memory.second;
+    memory.second = filter.b2 * sample - filter.a2 * output;
+    return output;
+}
+
 /// Filters in place, from rest.
 inline void apply_biquad(const Biquad& filter, std::span<double> samples) {
-    double memory1 = 0.0;
-    double memory2 = 0.0;
-    for (double& sample : samples) {
-        const double output = filter.b0 * sample + memory1;
-        memory1 = filter.b1 * sample - filter.a1 * output + memory2;
-        memory2 = filter.b2 * sample - filter.a2 * output;
-        sample = output;
-    }
+    BiquadMemory memory;
+    for (double& sample : samples) sample = apply_biquad(filter, sample, memory);
 }
 
 }  // namespace musim::records::detail

@@ -14,8 +14,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kHighestOrder = 8;
-
 enum class Passes { high, low };
 
 /// Sections s²/(s² + 2 sin θ_k K s + K²), θ_k = (2k+1)π/(2n), and s/(s + K) for the odd one, K = tan(π f_c dt); of a low-pass K² and K
@@ -58,8 +56,9 @@ std::string_view name_of(const FilterBand& band) { return band.low && band.high 
 
 TimeSeries apply_butterworth(const TimeSeries& series, const FilterBand& band, int order, FilterPhase phase) {
     if (!band.low && !band.high) throw ProcessingError("a filter has no corner (it would change nothing); give a low or a high corner");
-    if (order < 1 || order > kHighestOrder)
-        throw ProcessingError(fmt::format("{} order is {} (must be 1 to {}); choose one of these", name_of(band), order, kHighestOrder));
+    if (order < 1 || order > kHighestFilterOrder)
+        throw ProcessingError(
+            fmt::format("{} order is {} (must be 1 to {}); choose one of these", name_of(band), order, kHighestFilterOrder));
     if (band.low && band.high && !(*band.low < *band.high)) {
         throw ProcessingError(fmt::format("band-pass lies between {:.6g} and {:.6g} Hz (the first must be below the second); exchange them",
                                           band.low->value(), band.high->value()));
@@ -99,6 +98,14 @@ TimeSeries apply_butterworth(const TimeSeries& series, const FilterBand& band, i
     const auto begin = samples.begin() + static_cast<std::ptrdiff_t>(pad);
     return series.with_samples({begin, begin + static_cast<std::ptrdiff_t>(x.size())});
 }
+
+std::vector<detail::Biquad> make_low_pass(double corner_steps, int order) {
+    std::vector<detail::Biquad> sections;
+    add_sections(Passes::low, corner_steps, order, sections);
+    return sections;
+}
+
+double find_low_pass_delay(double corner_steps, int order) { return 0.5 / (std::tan(pi * corner_steps) * std::sin(pi / (2 * order))); }
 
 TimeSeries high_pass(const TimeSeries& series, scaling::Frequency corner, int order) {
     return apply_butterworth(series, {.low = corner}, order, FilterPhase::zero);

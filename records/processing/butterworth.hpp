@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "records/processing/biquad.hpp"
 #include "records/time_series.hpp"
 
 namespace musim::records {
@@ -28,5 +30,14 @@ struct FilterBand {
 /// an offset would ring like a step. Depends on f·dt only. Throws ProcessingError unless there is a corner, order is 1 to 8,
 /// 0 < f dt < 1/2 for each, low < high, and the filter remembers no more than 10^8 steps.
 TimeSeries apply_butterworth(const TimeSeries& series, const FilterBand& band, int order, FilterPhase phase = FilterPhase::zero);
+
+/// Highest order of a Butterworth filter.
+inline constexpr int kHighestFilterOrder = 8;
+
+/// Sections of the low-pass above, one after another, for whoever filters sample by sample. `corner_steps`: f_c dt, between 0 and 1/2.
+std::vector<detail::Biquad> make_low_pass(double corner_steps, int order);
+
+/// Delay of slow signals by that low-pass, in steps: 1/(2 tan(π f_c dt) sin(π/(2n))).
+double find_low_pass_delay(double corner_steps, int order);
 
 }  // namespace musim::records
