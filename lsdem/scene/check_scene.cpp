@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -25,6 +24,7 @@ namespace musim::lsdem {
 
 namespace {
 
+using detail::check_name;
 using detail::describe;
 using detail::fail;
 using detail::JsonPlace;
@@ -87,24 +87,6 @@ void check(const BlockEntry& block, const JsonPlace& place, const Scene& scene) 
     detail::require_rotation(block.quaternion, place.at("quaternion"));
     if (!block.material.empty() && !scene.materials.contains(block.material)) {
         fail(place.at("material"), fmt::format("\"{}\" is not among the scene's materials; add it under /materials", block.material));
-    }
-}
-
-/// Names head columns of tables, beside those of the base and of blocks that go by their number.
-void check_name(const std::string& name, const JsonPlace& place) {
-    const auto is_special = [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || std::string_view("\x7f,;\"'/\\").find(c) != std::string_view::npos;
-    };
-    if (std::any_of(name.begin(), name.end(), is_special) || name.front() == ' ' || name.back() == ' ') {
-        fail(
-            place,
-            "a name heads columns of tables, so it has no comma, semicolon, quote, slash, line break or blank at an end; write it without");
-    }
-    const std::size_t from = name.starts_with("block ") ? 6 : name.starts_with("block") ? 5 : 0;
-    const bool is_number = from < name.size() && name.find_first_not_of("0123456789", from) == std::string::npos;
-    if (is_number || name == "base") {
-        fail(place, fmt::format("\"{}\" is {} (results would confuse the two); choose a word of its own", name,
-                                is_number ? "what blocks without a name are called" : "the ground in results"));
     }
 }
 
@@ -370,6 +352,7 @@ void check_scene(const Scene& scene, const std::string& origin) {
              fmt::format("{} (steps above the critical one are unstable); use at most 1", describe(scene.time.safety)));
     }
     require_fields(scene.output, root.at("output"));
+    detail::check_sensors(scene, root.at("sensors"));
 }
 
 }  // namespace musim::lsdem

@@ -229,6 +229,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         scene.time = parse_time(object["time"], scene.time.safety, find_preset_name(object["material"]), has_motions);
     }
     if (object.has("output")) detail::read_fields(to_object(object["output"], "output"), scene.output);
+    if (object.has("sensors")) scene.sensors = detail::parse_sensors(object["sensors"]);
     check_scene(scene, origin.string());
     const std::vector<std::string> unlikely = detail::find_unlikely_values(scene);
     scene.text.remarks.insert(scene.text.remarks.end(), unlikely.begin(), unlikely.end());

@@ -102,6 +102,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     scaler.scale(scaled.time.duration);
     scaler.scale(scaled.time.step);
     scaler.scale_part(scaled.output);
+    for (SensorEntry& sensor : scaled.sensors) scaler.scale_part(sensor);
     check_scene(scaled, fmt::format("{} at 1:{:.6g}", scene.place(), 1.0 / similitude.length()));
     return scaled;
 }

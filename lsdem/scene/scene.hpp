@@ -14,6 +14,7 @@
 #include "lsdem/scene/accuracy_presets.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/preparation.hpp"
+#include "lsdem/scene/sensors.hpp"
 #include "lsdem/scene/shape_entry.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/formats/column_choice.hpp"
@@ -380,6 +381,7 @@ struct Scene {
     std::optional<Accuracy> accuracy;  ///< what the scene asked for; its consequences stand in the other settings
     TimeSettings time;
     OutputSettings output;
+    std::vector<SensorEntry> sensors;
     SceneText text;
 
     /// Where it comes from, to begin messages with: its file, or `scene "name"`.

@@ -67,6 +67,7 @@ class SceneWriter {
         }
         for (const PairEntry& pair : scene.pairs) root["pairs"].push_back(write_part(pair, ordered_json{{"of", pair.of}}));
         if (scene.accuracy) root["accuracy"] = to_string(*scene.accuracy);
+        for (const SensorEntry& sensor : scene.sensors) root["sensors"].push_back(to_json(sensor));
         return root;
     }
 
@@ -98,6 +99,7 @@ class SceneWriter {
     ordered_json write(const std::array<Triple<scaling::Inertia>, 3>& tensor) const {
         return {write(tensor[0]), write(tensor[1]), write(tensor[2])};
     }
+    ordered_json write(SensorAxes axes) const { return kSensorAxes.at(static_cast<std::size_t>(axes)); }
     ordered_json write(ShapeAxis axis) const { return detail::kShapeAxes.at(static_cast<std::size_t>(axis)); }
     ordered_json write(const ChosenPart& part) const {
         return std::visit([](const auto& which) -> ordered_json { return which; }, part);
@@ -141,6 +143,9 @@ class SceneWriter {
     /// Nothing of a wall without any.
     void put(ordered_json& object, const char* key, const std::vector<WallOpening>& openings) const {
         if (!openings.empty()) object[key] = write(openings);
+    }
+    void put(ordered_json& object, const char* key, const std::optional<SensorFilter>& filter) const {
+        object[key] = filter ? write_part(*filter) : ordered_json("none");
     }
     /// Adds the fields of a part.
     template <class Part>
@@ -271,6 +276,20 @@ class SceneWriter {
 
     ordered_json to_json(const MotionEntry& entry) const {
         return write_part(entry, {{"name", entry.name}, {"base_motion", to_json(entry.base_motion)}});
+    }
+
+    ordered_json to_json(const SensorEntry& sensor) const {
+        const auto name = [](const SensorBody& body) { return std::visit([](const auto& which) -> ordered_json { return which; }, body); };
+        ordered_json object{{"name", sensor.name}, {"kind", kSensorKinds.at(static_cast<std::size_t>(sensor.kind))}};
+        if (sensor.kind == SensorKind::joint) {
+            for (const SensorBody& body : sensor.bodies) object["blocks"].push_back(name(body));
+        } else {
+            object["block"] = name(sensor.bodies.front());
+        }
+        object = write_part(sensor, object);
+        if (sensor.normal) object["normal"] = *sensor.normal;
+        if (sensor.kind == SensorKind::joint) object.erase("axes");
+        return object;
     }
 
     /// With a list of motions, a duration that is not given stays so.

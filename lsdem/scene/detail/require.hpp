@@ -80,6 +80,12 @@ void require_fields(const Part& part, const JsonPlace& place) {
 /// That four numbers (w, x, y, z) are a rotation, of whatever length.
 void require_rotation(const std::array<double, 4>& quaternion, const JsonPlace& place);
 
+/// That a name can head columns of tables, and is none that results give by themselves.
+void check_name(const std::string& name, const JsonPlace& place);
+
+/// That each of the sensors of a scene reads something that there is. Whether there is its block is found with the model.
+void check_sensors(const Scene& scene, const JsonPlace& place);
+
 /// Each of the shapes of a scene, and that blocks name one of them.
 void check_shapes(const Scene& scene, const JsonPlace& root);
 

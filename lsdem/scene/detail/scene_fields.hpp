@@ -297,6 +297,22 @@ inline constexpr auto kFields<OutputSettings> = std::tuple{
     Field{"spine_rate", &OutputSettings::spine_rate, Range::not_negative},
     Field{"frame_rate", &OutputSettings::frame_rate, Range::positive},
 };
+template <>
+inline constexpr auto kFields<SensorFilter> = std::tuple{
+    Field{"corner", &SensorFilter::corner, Range::positive},
+    Field{"order", &SensorFilter::order, Range::one_or_more},
+};
+/// Behind its name, kind and bodies; before the normal of a joint.
+template <>
+inline constexpr auto kFields<SensorEntry> = std::tuple{
+    Field{"point", &SensorEntry::point, Range::finite},
+    Field{"axes", &SensorEntry::axes},
+    Field{"quaternion", &SensorEntry::quaternion},
+    Field{"relative", &SensorEntry::relative},
+    Field{"gravity", &SensorEntry::gravity},
+    Field{"rate", &SensorEntry::rate, Range::positive, kRequired},
+    Field{"filter", &SensorEntry::filter},
+};
 
 /// Has a part fields of its own?
 template <class Part>

@@ -52,6 +52,8 @@ Scatter parse_scatter(const scaling::JsonReader& value);
 SceneMotion parse_base_motion(const scaling::JsonReader& value, const std::filesystem::path& origin);
 /// "motions", one after another.
 std::vector<MotionEntry> parse_motions(const scaling::JsonReader& list, const std::filesystem::path& origin);
+/// "sensors".
+std::vector<SensorEntry> parse_sensors(const scaling::JsonReader& list);
 
 template <class Value>
 void read_value(const scaling::JsonReader& json, Value& value) {
@@ -76,6 +78,9 @@ void read_value(const scaling::JsonReader& json, std::vector<Triple<scaling::Len
 void read_value(const scaling::JsonReader& json, std::vector<std::vector<std::uint32_t>>& faces);
 void read_value(const scaling::JsonReader& json, std::array<Triple<scaling::Inertia>, 3>& tensor);
 void read_value(const scaling::JsonReader& json, std::vector<std::string>& names);
+void read_value(const scaling::JsonReader& json, SensorAxes& axes);
+/// "none" is nothing.
+void read_value(const scaling::JsonReader& json, std::optional<SensorFilter>& filter);
 template <class Value>
 void read_value(const scaling::JsonReader& json, std::optional<Value>& value) {
     read_value(json, value.emplace());
