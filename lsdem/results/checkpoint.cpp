@@ -39,7 +39,17 @@ static void exchange(Archive& archive, BaseState& b) { archive(b.displacement, b
 
 namespace musim::lsdem {
 
-static void exchange(Archive& archive, TimePlan& p) { archive(p.time_step, p.steps_per_sample, p.samples, p.samples_per_frame); }
+static void exchange(Archive& archive, ReadingPlan& r) { archive(r.steps, r.count, r.corner_steps, r.order); }
+
+static void exchange(Archive& archive, TimePlan& p) {
+    archive(p.time_step, p.steps_per_sample, p.samples, p.samples_per_frame, p.readings);
+}
+
+static void exchange(Archive& archive, SensorHistory& s) {
+    archive(s.name, s.kind, s.axes, s.bodies, s.relative, s.gravity, s.interval, s.corner, s.order, s.delay, s.values);
+}
+
+static void exchange(Archive& archive, SensorMemory& m) { archive(m.filter, m.last, m.place, m.normal, m.across); }
 
 static void exchange(Archive& archive, History& h) {
     archive(h.time, h.base, h.spine_position, h.spine_velocity, h.spine_rotation, h.energy);
@@ -71,7 +81,7 @@ static void exchange(Archive& archive, BaseChange& c) {
 static void exchange(Archive& archive, RunResult& r) {
     archive(r.status, r.collapse_time, r.origin, r.rest, r.steps, r.initial, r.history, r.frames, r.falls, r.final, r.statistics, r.losses);
     archive(r.state_hash, r.energy_closure, r.start_reaction_over_weight, r.base_reaction_over_weight, r.peak_base_acceleration,
-            r.base_changes, r.wall_time);
+            r.base_changes, r.wall_time, r.sensors, r.sensor_memory);
 }
 
 static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.checks_at_rest, s.liveliest); }
@@ -88,7 +98,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 15, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 16, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

@@ -13,6 +13,7 @@
 #include "lsdem/results/base_change.hpp"
 #include "lsdem/results/block_shapes.hpp"
 #include "lsdem/results/rest.hpp"
+#include "lsdem/results/sensor_history.hpp"
 #include "lsdem/scene/spine.hpp"
 #include "lsdem/types.hpp"
 #include "scaling/laws/similitude.hpp"
@@ -111,6 +112,7 @@ struct RunData {
     History history;  ///< as read from results, energy of all springs is that of normal ones; none in results of versions without energies
     Frames frames;    ///< empty unless the scene asks for them
     Falls falls;      ///< empty in results of versions before they were kept
+    std::vector<SensorHistory> sensors;                ///< in the order of the scene
     Kinematics initial;                                ///< as read from results, poses only
     Kinematics final;                                  ///< likewise, at the last sample
     std::optional<Losses> losses;                      ///< where energy was dissipated since the start [J]; likewise
@@ -127,6 +129,16 @@ struct RunData {
     const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
 };
 
+/// State of a sensor between two steps, from which it goes on to the same bits.
+struct SensorMemory {
+    std::vector<double> filter;  ///< two numbers for each section, channel by channel
+    std::vector<double> last;    ///< filtered channels at the last step, SI
+    /// Of a joint, fixed when the run began: the point of it in the frames of both bodies [m], and its normal and one direction across it
+    /// in that of the second.
+    std::array<Vector3, 2> place = {Vector3::Zero(), Vector3::Zero()};
+    Vector3 normal = Vector3::Zero(), across = Vector3::Zero();
+};
+
 /// Everything one simulation produced.
 struct RunResult : RunData {
     std::optional<Divergence> divergence;  ///< where and when, when the run diverged
@@ -140,6 +152,7 @@ struct RunResult : RunData {
     std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
     std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without a ground or fixed blocks, or gravity
     double wall_time = 0.0;                            ///< [s]
+    std::vector<SensorMemory> sensor_memory;           ///< one for each sensor
 };
 
 /// Names of the spine's blocks: "level 5" of a layer, BlockTable::label of a listed block.

@@ -154,6 +154,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     take([&] { read_origin(file, run); });
     take([&] { read_losses(file, run); });
     take([&] { read_frames(file, run); });
+    take([&] { detail::exchange_sensors(file, run.sensors); });
     take([&] { run.scene = file.attribute("scene"); });
     take([&] { run.state_hash = file.attribute("state_hash"); });
     take([&] { read_similitude(file, run); });

@@ -111,4 +111,34 @@ void exchange_shapes(const Hdf5Reader& file, hsize_t blocks, BlockShapes& shapes
     shapes = std::move(read);
 }
 
+void exchange_sensors(Hdf5File& file, const std::vector<SensorHistory>& sensors) {
+    if (sensors.empty()) return;
+    std::vector<std::string> descriptions;
+    for (const SensorHistory& sensor : sensors) {
+        descriptions.push_back(describe_sensor(sensor));
+        if (sensor.values.empty()) continue;
+        std::vector<double> time;
+        for (std::size_t k = 0; k < sensor.readings(); ++k) time.push_back(sensor.time(k));
+        file.exchange(group_of(sensor) + "/time", {time.size()}, time, "s");
+        exchange_readings(file, time.size(), sensor);
+    }
+    file.write_texts("/sensor_list", descriptions);
+}
+
+void exchange_sensors(const Hdf5Reader& file, std::vector<SensorHistory>& sensors) {
+    if (!file.has("/sensor_list")) return;
+    std::vector<SensorHistory> read;
+    for (const std::string& description : file.texts("/sensor_list")) {
+        try {
+            read.push_back(parse_sensor_description(description));
+        } catch (const std::runtime_error& error) {
+            file.fail(fmt::format("/sensor_list describes no sensor: {}", error.what()));
+        }
+        SensorHistory& sensor = read.back();
+        const std::string time = group_of(sensor) + "/time";
+        if (file.has(time)) exchange_readings(file, file.count(time, std::vector<double>{}), sensor);
+    }
+    sensors = std::move(read);
+}
+
 }  // namespace musim::lsdem::detail

@@ -125,6 +125,39 @@ void exchange_falls(File& file, hsize_t blocks, RunFalls& falls, bool has_collap
     exchange_airborne(file, blocks, falls);
 }
 
+/// Group of a sensor.
+inline std::string group_of(const SensorHistory& sensor) { return "/sensors/" + sensor.name; }
+
+/// Readings of a sensor, one dataset for each quantity, besides their times.
+template <class File, class History>
+void exchange_readings(File& file, hsize_t readings, History& sensor) {
+    const std::vector<SensorChannel>& channels = find_channels(sensor.kind);
+    std::vector<std::vector<double>> columns;
+    for (std::size_t c = 0; c < channels.size(); ++c) columns.push_back(sensor.column(c));
+    for (std::size_t first = 0, last = 0; first < channels.size(); first = last) {
+        const std::string quantity = channels[first].quantity;
+        while (last < channels.size() && quantity == channels[last].quantity) ++last;
+        const std::size_t width = last - first;
+        std::vector<double> rows(readings * width);
+        for (std::size_t i = 0; i < columns[first].size() * width; ++i) rows[i] = columns[first + i % width][i / width];
+        file.exchange(group_of(sensor) + "/" + quantity, {readings, width}, rows, channels[first].unit);
+        for (std::size_t c = first; c < last; ++c) {
+            columns[c].clear();
+            for (std::size_t k = 0; k < readings; ++k) columns[c].push_back(rows[k * width + (c - first)]);
+        }
+    }
+    if constexpr (!std::is_const_v<History>) {
+        sensor.values.clear();
+        for (std::size_t k = 0; k < readings; ++k) {
+            for (const std::vector<double>& column : columns) sensor.values.push_back(column[k]);
+        }
+    }
+}
+
+/// Sensors, where there are any; of one that read nothing the description alone.
+void exchange_sensors(Hdf5File& file, const std::vector<SensorHistory>& sensors);
+void exchange_sensors(const Hdf5Reader& file, std::vector<SensorHistory>& sensors);
+
 /// State that a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
 template <class File>
 void exchange_origin(File& file, hsize_t blocks, StageOrigin& origin) {

@@ -169,6 +169,13 @@ std::vector<std::string> find_warnings(const RunResult& run) {
         const std::vector<std::string> changes = warn_of_changes(run.base_changes);
         warnings.insert(warnings.end(), changes.begin(), changes.end());
     }
+    for (const SensorHistory& sensor : run.sensors) {
+        if (!sensor.values.empty()) continue;
+        warnings.push_back(
+            fmt::format("sensor \"{}\" read nothing ({} and {} do not touch by flat faces at the start, so their joint has no place); "
+                        "give it a \"point\" and a \"normal\", or name others",
+                        sensor.name, sensor.bodies.front(), sensor.bodies.back()));
+    }
     if (above_critical(run)) {
         warnings.push_back(describe_large_step(run.time_step, *run.critical_time_step));
     }

@@ -24,6 +24,24 @@ nlohmann::json write_moved(const RunResult& run) {
     return list;
 }
 
+nlohmann::json write_sensors(const std::vector<SensorHistory>& sensors) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const SensorHistory& sensor : sensors) {
+        nlohmann::json channels = nlohmann::json::array();
+        const std::vector<SensorChannel>& known = find_channels(sensor.kind);
+        for (std::size_t c = 0; c < known.size() && !sensor.values.empty(); ++c) {
+            const SensorPeak peak = find_peak(sensor, c);
+            channels.push_back(
+                {{"column", sensor.name + known[c].column}, {"unit", known[c].unit}, {"peak", peak.value}, {"time_s", peak.time}});
+        }
+        nlohmann::json described = nlohmann::json::parse(describe_sensor(sensor));
+        described["readings"] = sensor.readings();
+        described["channels"] = channels;
+        list.push_back(described);
+    }
+    return list;
+}
+
 }  // namespace
 
 nlohmann::json make_summary(const RunResult& run) {
@@ -58,6 +76,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"collapsed", run.rest->collapsed},
                            {"moved", write_moved(run)}};
     }
+    if (!run.sensors.empty()) summary["sensors"] = write_sensors(run.sensors);
     summary["outcome"] = to_json(find_outcome(run));
     summary["warnings"] = find_warnings(run);
     if (run.divergence) {

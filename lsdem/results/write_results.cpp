@@ -40,6 +40,7 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
         file.exchange("/frames/time", {frames.time.size()}, std::vector<float>(frames.time.begin(), frames.time.end()), "s");
         detail::exchange_frames(file, n, frames, !frames.contact_force.empty());
     }
+    detail::exchange_sensors(file, run.sensors);
     if (run.blocks.shapes.any()) detail::write_surface(file, detail::list_surface(run.blocks));
     file.write_attribute("scene", header.scene);
     file.write_attribute("similitude", run.similitude.is_identity() ? "null" : to_json(run.similitude).dump());
@@ -85,6 +86,7 @@ void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResu
     files_.write(subfolder / "result.h5", {hdf5.data(), hdf5.size()});
     files_.write(subfolder / "result.xdmf", detail::make_xdmf(run));
     files_.write(subfolder / "spine.csv", make_spine_csv(run));
+    for (const SensorTable& table : make_sensor_tables(run.sensors)) files_.write(subfolder / table.name, table.csv);
     files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
 }
 

@@ -61,6 +61,25 @@ std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
     return best;
 }
 
+/// Readings of a sensor; `at`: where it stands in the scene.
+ReadingPlan plan_readings(const SensorEntry& sensor, const TimePlan& plan, const std::string& at) {
+    const double steps = 1.0 / (sensor.rate.value() * plan.time_step), whole = std::round(steps);
+    ReadingPlan readings;
+    readings.steps = std::abs(steps - whole) <= kWhole * whole ? whole : steps;
+    if (!(readings.steps >= 1.0)) {
+        throw SceneError(
+            fmt::format("{}/rate: {:.6g} Hz is more than a reading a step ({:.4g} s: {:.6g} Hz); lower it, or shorten the \"step\"", at,
+                        sensor.rate.value(), plan.time_step, 1.0 / plan.time_step));
+    }
+    readings.count = static_cast<std::uint64_t>(std::floor(static_cast<double>(plan.steps()) / readings.steps * (1.0 + kWhole)));
+    if (sensor.filter) {
+        const double corner = sensor.filter->corner ? sensor.filter->corner->value() / sensor.rate.value() : kSensorCorner;
+        readings.corner_steps = corner / readings.steps;
+        readings.order = sensor.filter->order;
+    }
+    return readings;
+}
+
 /// Gives a damping rate above the blocks' frequency parameter p the time that it needs. Tipping then grows with p²/α in place of p, so all
 /// patience, which counts 1/α, is (α/p)² as long; sway dies out in the last round, at the rate that suits it: what the factors of that
 /// round make of choose_damping_rate().
@@ -78,6 +97,7 @@ void allow_for_strong_damping(double chosen_rate, PreparationSettings& preparati
 
 Specimen make_upright_specimen(const Scene& scene) {
     BuiltModel built = build_model(scene);
+    std::vector<PlacedSensor> sensors = place_sensors(scene, built);
     std::vector<BoxPose> drawn = find_boxes(built.model);
     return {.model = std::move(built.model),
             .spine = std::move(built.structure.spine),
@@ -85,7 +105,8 @@ Specimen make_upright_specimen(const Scene& scene) {
             .settling = {},
             .level = std::move(built.structure.level),
             .name = std::move(built.structure.name),
-            .drawn = std::move(drawn)};
+            .drawn = std::move(drawn),
+            .sensors = std::move(sensors)};
 }
 
 bool starts_at_rest(const Specimen& specimen) {
@@ -218,6 +239,9 @@ TimePlan make_time_plan(const Scene& scene, double time_step) {
     if (scene.output.frame_rate) {
         const double sample_interval = static_cast<double>(plan.steps_per_sample) * time_step;
         plan.samples_per_frame = round_count(1.0 / (scene.output.frame_rate->value() * sample_interval));
+    }
+    for (std::size_t k = 0; k < scene.sensors.size(); ++k) {
+        plan.readings.push_back(plan_readings(scene.sensors[k], plan, fmt::format("{}: /sensors/{}", scene.place(), k)));
     }
     return plan;
 }

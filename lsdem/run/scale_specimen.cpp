@@ -127,6 +127,9 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
         scaler.scale<scaling::Length>(box.size, box.position);
         box.solid = image.model.shapes[image.model.blocks[b].shape].solid;
     }
+    for (PlacedSensor& sensor : image.sensors) {
+        if (sensor.place) scaler.scale<scaling::Length>(*sensor.place);
+    }
     if (image.settling) scaler.scale<scaling::Frequency>(image.settling->damping_rate);
     return image;
 }

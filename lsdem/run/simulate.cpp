@@ -14,6 +14,7 @@
 #include "lsdem/rotation.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
 #include "lsdem/run/drawn_places.hpp"
+#include "lsdem/run/sensor_reader.hpp"
 #include "lsdem/run/work_done.hpp"
 #include "lsdem/time_step.hpp"
 #include "scaling/interruption.hpp"
@@ -126,22 +127,30 @@ void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
 }
 
 /// From sample `done`, or some steps after it, to the end of the plan. `start`: when this part of the run began.
-void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std::uint64_t done, Clock::time_point start,
-              const RunSettings& settings) {
+void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, SensorReader& sensors, std::uint64_t done,
+              Clock::time_point start, const RunSettings& settings) {
     const double wall_time_before = run.wall_time;
     std::optional<CheckpointWriter> checkpoints;
     if (settings.checkpoint) checkpoints.emplace(*settings.checkpoint);
     const auto report = [&](std::uint64_t steps) {
         if (settings.observer.on_progress) settings.observer.on_progress(static_cast<double>(steps) / static_cast<double>(plan.steps()));
     };
-    std::uint64_t steps = simulation.statistics().steps;
+    std::uint64_t steps = simulation.statistics().steps, taken_by_one = steps;
+    const auto advance = [&](std::uint64_t count) {
+        if (!sensors.has_sensors()) return simulation.advance(count);
+        for (std::uint64_t k = 0; k < count; ++k) {
+            simulation.advance(1);
+            if (simulation.divergence()) return;
+            sensors.read(++taken_by_one);
+        }
+    };
     for (std::uint64_t k = done + 1; k <= plan.samples; ++k) {
         const auto between = [&](std::uint64_t taken) {
             run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
             if (checkpoints) checkpoints->between_samples(k - 1, plan, run, simulation);
             report(steps + taken);
         };
-        detail::advance_in_pieces(simulation, k * plan.steps_per_sample - steps, between);
+        detail::advance_in_pieces(simulation, k * plan.steps_per_sample - steps, advance, between);
         if (simulation.divergence()) break;
         steps = k * plan.steps_per_sample;
         add_sample(run, simulation);
@@ -267,12 +276,13 @@ RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimeP
     reserve(run.history, plan, run.spine.size());
     add_sample(run, simulation);
     if (plan.samples_per_frame > 0) add_frame(run, simulation);
+    SensorReader sensors = SensorReader::begin(simulation, specimen, plan, run);
     if (run.rest && run.rest->collapsed && !run.origin) {
         note_falls_before(specimen, *run.rest, run);
         finish(run, simulation);
         run.wall_time += std::chrono::duration<double>(Clock::now() - start).count();
     } else {
-        carry_on(run, simulation, plan, 0, start, settings);
+        carry_on(run, simulation, plan, sensors, 0, start, settings);
     }
     return run;
 }
@@ -305,7 +315,8 @@ RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint ch
         throw std::runtime_error("checkpoint: its histories do not fit its state");
     }
     reserve(run.history, checkpoint.plan, run.spine.size());
-    carry_on(run, simulation, checkpoint.plan, checkpoint.samples_done, start, settings);
+    SensorReader sensors = SensorReader::resume(simulation, specimen, checkpoint.plan, run);
+    carry_on(run, simulation, checkpoint.plan, sensors, checkpoint.samples_done, start, settings);
     return run;
 }
 

@@ -10,6 +10,7 @@
 #include "lsdem/results/history.hpp"
 #include "lsdem/results/time_plan.hpp"
 #include "lsdem/run/settle.hpp"
+#include "lsdem/scene/placed_sensors.hpp"
 #include "lsdem/scene/resting_pose.hpp"
 
 namespace musim::lsdem {
@@ -24,7 +25,8 @@ struct Specimen {
     std::vector<std::string> name = {};  ///< of listed blocks, see BlockTable::name
     Beginning beginning = Beginning::listed;
     std::vector<BoxPose> drawn = {};  ///< the blocks as the scene has them; empty: not known
-    double preparation_work = 0.0;    ///< that it took so far, for the progress of what follows [block steps]
+    std::vector<PlacedSensor> sensors = {};
+    double preparation_work = 0.0;  ///< that it took so far, for the progress of what follows [block steps]
 };
 
 /// Who watches a run; none of it changes the results. Parts are from 0 to 1.
