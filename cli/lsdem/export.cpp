@@ -14,6 +14,7 @@
 #include "lsdem/export/exported_blocks.hpp"
 #include "lsdem/export/gltf.hpp"
 #include "lsdem/export/mesh_files.hpp"
+#include "lsdem/export/sensor_streams.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "records/atomic_file.hpp"
@@ -26,6 +27,7 @@ struct ExportCommand {
     std::string out;
     std::string format;        ///< empty: that of the name
     std::optional<Number> at;  ///< [s]
+    std::optional<std::string> sensor;
     bool json = false;
 };
 
@@ -34,11 +36,11 @@ std::string find_format(const ExportCommand& options) {
     if (!options.format.empty()) return options.format;
     std::string extension = std::filesystem::path(options.out).extension().string();
     for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    for (const char* known : {"glb", "gltf", "obj", "stl"}) {
+    for (const char* known : {"glb", "gltf", "obj", "stl", "mseed"}) {
         if (extension == std::string(".") + known) return known;
     }
     throw CLI::ValidationError(
-        "--out", fmt::format("{}: its name ends in none of .glb, .gltf, .obj, .stl; name it so, or give --format", options.out));
+        "--out", fmt::format("{}: its name ends in none of .glb, .gltf, .obj, .stl, .mseed; name it so, or give --format", options.out));
 }
 
 lsdem::ExportedBlocks read_blocks(const ExportCommand& options) {
@@ -60,8 +62,26 @@ std::string make_bytes(const lsdem::ExportedBlocks& exported, const std::string&
     return lsdem::make_gltf(exported, format == "glb" ? lsdem::GltfForm::binary : lsdem::GltfForm::embedded, kVersion);
 }
 
+/// Readings of sensors instead of blocks.
+int export_sensors(const ExportCommand& options) {
+    if (options.at) throw CLI::ValidationError("--at", "miniSEED has the whole histories of the sensors; leave it out");
+    if (!std::filesystem::is_directory(options.source)) {
+        throw CLI::ValidationError("RESULT_OR_SCENE",
+                                   fmt::format("{}: only a run has readings of sensors; give its directory", options.source));
+    }
+    const std::size_t streams = lsdem::write_sensor_streams(options.out, lsdem::read_run(options.source), options.sensor);
+    if (options.json) {
+        print_json({{"file", options.out}, {"format", "mseed"}, {"streams", streams}});
+    } else {
+        print("{}: {} streams\n", options.out, streams);
+    }
+    return kDone;
+}
+
 int run_export(const ExportCommand& options) {
     const std::string format = find_format(options);
+    if (format == "mseed") return export_sensors(options);
+    if (options.sensor) throw CLI::ValidationError("--sensor", "only miniSEED has sensors; name the file so, or leave it out");
     refuse_overwriting({options.source}, {options.out});
     lsdem::ExportedBlocks exported = read_blocks(options);
     const bool moves = options.at == std::nullopt && (format == "glb" || format == "gltf");
@@ -95,22 +115,28 @@ int run_export(const ExportCommand& options) {
 
 void add_export_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<ExportCommand>();
-    CLI::App* command = app.add_subcommand("export", "Blocks and their motion for Blender and CAD viewers: glTF, OBJ, STL");
+    CLI::App* command =
+        app.add_subcommand("export", "Blocks and their motion for Blender and CAD viewers: glTF, OBJ, STL; sensors as miniSEED");
     command->add_option("source", options->source, "Directory of results, as `musim run -o` writes it, or a scene file")
         ->required()
         ->type_name("RESULT_OR_SCENE");
-    command->add_option("-o,--out", options->out, "File to write: .glb or .gltf with the motion, .obj or .stl of one instant")
+    command
+        ->add_option("-o,--out", options->out,
+                     "File to write: .glb or .gltf with the motion, .obj or .stl of one instant, .mseed of sensors")
         ->required()
         ->type_name("FILE");
-    command->add_option("--format", options->format, "Kind of file (default: by its name)")->check(one_of({"glb", "gltf", "obj", "stl"}));
+    command->add_option("--format", options->format, "Kind of file (default: by its name)")
+        ->check(one_of({"glb", "gltf", "obj", "stl", "mseed"}));
     command->add_option("--at", options->at, "Of a run: the blocks at this time, without motion [s] (default: from the start, with motion)")
         ->type_name("TIME");
+    command->add_option("--sensor", options->sensor, "As miniSEED: this sensor alone (default: all, one station each)")->type_name("NAME");
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
         "  musim export out/arch -o arch.glb\n"
         "  musim export arch.json -o arch.glb\n"
         "  musim export out/arch -o fallen.obj --at 12.5\n"
+        "  musim export out/arch -o a1.mseed --sensor A1\n"
         "glTF 2.0, in metres: one node a block, named as in results, one mesh a shape, the frames of the run as an animation in its own "
         "time\n"
         "(asset.extras has the prototype's); the root node turns z up into y up. OBJ and STL are in metres with z up. A run has frames "

@@ -27,4 +27,6 @@ void write_miniseed(const std::filesystem::path& path, const GroundMotion& /*mot
     throw WriteError(fmt::format("{}: this build of musim does not write miniSEED; {}", path.string(), kWhatToDo));
 }
 
+void write_miniseed(const std::filesystem::path& path, const std::vector<SeedStream>& /*streams*/) { write_miniseed(path, GroundMotion{}); }
+
 }  // namespace musim::records

@@ -48,16 +48,23 @@ std::string channel_code(const Component& component, std::size_t ordinal) {
     return {band_letter(1.0 / component.series.dt().value()), instrument_letter(quantity), orientation_letter(component, ordinal)};
 }
 
-void require_rate(const std::filesystem::path& path, const Component& component) {
-    const double rate = 1.0 / component.series.dt().value();
+/// Samples of a stream, and its name in messages.
+struct StreamSamples {
+    std::span<const double> samples;
+    double rate;  ///< [Hz]
+    std::string name;
+};
+
+void require_rate(const std::filesystem::path& path, const StreamSamples& stream) {
     std::int16_t factor = 0;
     std::int16_t multiplier = 0;
-    const bool is_held = ms_genfactmult(rate, &factor, &multiplier) == 0 &&
-                         std::abs(ms_nomsamprate(factor, multiplier) - rate) * static_cast<double>(component.series.size()) <= 0.01 * rate;
+    const bool is_held =
+        ms_genfactmult(stream.rate, &factor, &multiplier) == 0 &&
+        std::abs(ms_nomsamprate(factor, multiplier) - stream.rate) * static_cast<double>(stream.samples.size()) <= 0.01 * stream.rate;
     if (is_held) return;
     throw WriteError(
         fmt::format("{}: sampling rate {} Hz of '{}' cannot be held (miniSEED 2 has fractions of 16-bit numbers); write CSV or AT2",
-                    path.string(), rate, component.name));
+                    path.string(), stream.rate, stream.name));
 }
 
 /// The first sample's instant; without a clock its start counts from 1970.
@@ -79,29 +86,28 @@ void copy_code(const std::string& code, std::span<char> field) {
     field[length] = '\0';
 }
 
-/// Title of a stream besides its station.
+/// Title of a stream.
 struct StreamTitle {
-    std::string channel;
+    std::string network, station, channel;
     UtcTime start;
 };
 
-void append_stream(const std::filesystem::path& path, const GroundMotion& motion, const TimeSeries& series, const StreamTitle& title,
-                   std::string& bytes) {
-    const auto station = detail::split_station(motion.station, "MUSIM");
+void append_stream(const std::filesystem::path& path, const StreamSamples& stream, const StreamTitle& title, std::string& bytes) {
+    require_rate(path, stream);
     detail::catch_mseed_complaints();
     const detail::MseedRecord record(msr_init(nullptr));
     if (!record) throw std::bad_alloc();
-    copy_code(station.network, record->network);
-    copy_code(station.station, record->station);
+    copy_code(title.network, record->network);
+    copy_code(title.station, record->station);
     copy_code(title.channel, record->channel);
     record->starttime = title.start.time_since_epoch().count();
-    record->samprate = 1.0 / series.dt().value();
+    record->samprate = stream.rate;
     record->dataquality = 'D';
     record->reclen = kRecordBytes;
     record->encoding = DE_FLOAT64;
     record->byteorder = 1;  // big-endian, as readers expect
     record->sampletype = 'd';
-    record->numsamples = static_cast<std::int64_t>(series.size());
+    record->numsamples = static_cast<std::int64_t>(stream.samples.size());
     record->samplecnt = record->numsamples;
 
     // microseconds of the start time
@@ -109,12 +115,12 @@ void append_stream(const std::filesystem::path& path, const GroundMotion& motion
     const bool is_timed = msr_addblockette(record.get(), reinterpret_cast<char*>(&timing), sizeof timing, 1001, 0) != nullptr;
 
     // libmseed reads the samples only, but takes them as its own
-    std::vector<double> samples(series.samples().begin(), series.samples().end());
+    std::vector<double> samples(stream.samples.begin(), stream.samples.end());
     record->datasamples = samples.data();
     std::int64_t packed = 0;
     const int records = is_timed ? msr_pack(record.get(), append_record, &bytes, &packed, 1, 0) : -1;
     record->datasamples = nullptr;
-    if (records < 0 || packed != static_cast<std::int64_t>(series.size())) {
+    if (records < 0 || packed != static_cast<std::int64_t>(stream.samples.size())) {
         throw WriteError(
             fmt::format("{}: {} cannot be packed ({}); write CSV or AT2", path.string(), title.channel, detail::last_mseed_complaint()));
     }
@@ -134,8 +140,26 @@ void write_miniseed(const std::filesystem::path& path, const GroundMotion& motio
                                          path.string(), component.name, code));
         }
         codes.push_back(code);
-        require_rate(path, component);
-        append_stream(path, motion, component.series, {code, find_start(path, motion, component)}, bytes);
+        const auto station = detail::split_station(motion.station, "MUSIM");
+        append_stream(path, {component.series.samples(), 1.0 / component.series.dt().value(), component.name},
+                      {station.network, station.station, code, find_start(path, motion, component)}, bytes);
+    }
+    write_file_atomically(path, bytes);
+}
+
+void write_miniseed(const std::filesystem::path& path, const std::vector<SeedStream>& streams) {
+    if (streams.empty()) throw WriteError(fmt::format("{}: there is no stream; nothing to write", path.string()));
+    std::vector<std::string> names;
+    std::string bytes;
+    for (const SeedStream& stream : streams) {
+        const double rate = 1.0 / stream.dt.value();
+        const std::string channel = band_letter(rate) + stream.code, name = fmt::format("{}.{}", stream.station, channel);
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            throw WriteError(
+                fmt::format("{}: there would be two streams {} (they are distinguished by their codes); rename one", path.string(), name));
+        }
+        names.push_back(name);
+        append_stream(path, {stream.samples, rate, name}, {"XX", stream.station, channel, UtcTime{}}, bytes);
     }
     write_file_atomically(path, bytes);
 }

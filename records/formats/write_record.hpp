@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "records/ground_motion.hpp"
 
@@ -41,5 +43,19 @@ void write_miniseed(const std::filesystem::path& path, const GroundMotion& motio
 
 /// Throws WriteError, naming the format, for a component that is a rotation.
 void refuse_rotation(const std::filesystem::path& path, const Component& component, std::string_view format);
+
+/// One data stream of miniSEED, of network XX.
+struct SeedStream {
+    std::string station;  ///< one to five capitals and digits
+    std::string code;     ///< instrument and orientation: the last two letters of the channel code
+    scaling::Time dt{};
+    std::vector<double> samples;
+};
+
+/// Writes streams of any quantity as miniSEED 2, 64-bit floats, whose clock starts in 1970; the first letter of their channel codes is the
+/// band of the sampling rate. read_record() takes files of one station. Throws WriteError when there is no stream, two have the same
+/// station and channel code, the sampling rate cannot be held to 1/100 of a step, and when the file cannot be written; it is complete or
+/// absent.
+void write_miniseed(const std::filesystem::path& path, const std::vector<SeedStream>& streams);
 
 }  // namespace musim::records
