@@ -44,6 +44,8 @@ ReportSection make_overview_section(const ReportContent& content);
 std::vector<ReportFigure> make_spine_figures(const ReportContent& content);
 /// Profiles and energies of all runs, and speeds where they were found.
 std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs);
+/// Peaks of the sensors of all runs, histories of the first. Nothing where none has any.
+std::optional<ReportSection> make_sensor_section(const std::vector<ReportedRun>& runs);
 
 /// Factors of the models to their prototype, and the groups they distort, by colour and word.
 ReportSection make_scale_section(const ReportContent& content);

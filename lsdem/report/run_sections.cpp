@@ -107,6 +107,7 @@ std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& run
     std::vector<ReportSection> sections{std::move(profiles)};
     if (std::optional<ReportSection> speed = make_speed_section(runs)) sections.push_back(std::move(*speed));
     sections.push_back(make_energy_section(runs));
+    if (std::optional<ReportSection> sensors = make_sensor_section(runs)) sections.push_back(std::move(*sensors));
     return sections;
 }
 
