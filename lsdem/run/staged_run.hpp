@@ -31,7 +31,7 @@ RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t
 /// does the same and stores them one by one. The simulation is then at the end of the last.
 ///
 /// In the run that comes of it pauses are cut out of the times, but not out of displacements; energies add up; rotations are from the first
-/// start; energy_closure is the worst of the stages.
+/// start; energy_closure is the worst of the stages; of several stages there are no readings of sensors.
 RunResult run_stages(Simulation& simulation, const Specimen& specimen, const StagedMotion& motion, RunStart begin,
                      const RunSettings& settings);
 

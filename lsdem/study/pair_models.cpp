@@ -87,6 +87,13 @@ TimePlan make_plan_beside(const Scene& prototype, const TimePlan& plan, const Sc
     TimePlan own = plan;
     own.steps_per_sample = static_cast<std::uint64_t>(std::max(1.0, std::ceil(interval / step * (1.0 - scaling::kFactorRounding))));
     own.time_step = interval / static_cast<double>(own.steps_per_sample);
+    const double finer = static_cast<double>(own.steps_per_sample) / static_cast<double>(plan.steps_per_sample);
+    for (ReadingPlan& readings : own.readings) {
+        // at most one a step
+        const double corner_over_rate = readings.corner_steps * readings.steps;
+        readings.steps = std::max(1.0, readings.steps * finer);
+        readings.corner_steps = corner_over_rate / readings.steps;
+    }
     return own;
 }
 

@@ -13,6 +13,7 @@
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/reference_block.hpp"
+#include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/study/model_distortions.hpp"
 #include "lsdem/study/second_scene.hpp"
 #include "lsdem/study/solve_model_law.hpp"
@@ -161,6 +162,7 @@ ScaledScene take_as_same(const Scene& prototype, const Scene& model) {
     same.second = SecondScene{model.place(), way, true, find_scene_differences(prototype, model)};
     same.scene.time.duration = prototype.time.duration;
     same.scene.output = prototype.output;
+    same.scene.sensors = prototype.sensors;
     return same;
 }
 
@@ -189,6 +191,8 @@ ScaledScene take_as_own(const Scene& prototype, const Scene& model, Materials ma
     scaled.scene.output = prototype.output;
     if (scaled.scene.output.spine_rate.value() > 0.0) scaled.scene.output.spine_rate *= similitude.frequency();
     if (scaled.scene.output.frame_rate) *scaled.scene.output.frame_rate *= similitude.frequency();
+    scaled.scene.sensors.clear();
+    if (!prototype.sensors.empty()) scaled.scene.sensors = scale_scene(prototype, similitude).sensors;
     return scaled;
 }
 

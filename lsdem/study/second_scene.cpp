@@ -65,7 +65,9 @@ bool are_same(const ordered_json& a, const ordered_json& b) {
 }
 
 /// Does it say what a pair takes from its first scene, or nothing that is computed with?
-bool is_left_out(const std::string& key) { return key.ends_with("/name") || key.starts_with("/output") || key == "/time/duration"; }
+bool is_left_out(const std::string& key) {
+    return key.ends_with("/name") || key.starts_with("/output") || key.starts_with("/sensors") || key == "/time/duration";
+}
 
 /// Goes through two values side by side. A part that one of them does not have is one difference.
 void add_differences(const std::string& key, const ordered_json& first, const ordered_json& second, std::vector<SceneDifference>& all) {
