@@ -130,8 +130,10 @@ void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstima
     for (const OutputSize& output : summary.outputs) {
         if (output.bytes > 0.0) files += fmt::format(", {} about {}", output.file, write_bytes(output.bytes));
     }
-    lines.push_back(fmt::format("output      {} samples of {} spine blocks, {} frames{}", summary.samples(), summary.specimen.spine.size(),
-                                summary.frames(), files));
+    const std::size_t sensors = summary.specimen.sensors.size();
+    lines.push_back(fmt::format("output      {} samples of {} spine blocks, {} frames{}{}", summary.samples(),
+                                summary.specimen.spine.size(), summary.frames(), sensors > 0 ? ", " + count(sensors, "sensor") : "",
+                                files));
     if (!run_time || run_time->steps == 0) return;
     const std::string rest = run_time->most_preparation > 0.0
                                  ? fmt::format(", {} to {} before it until blocks rest", write_duration(run_time->least_preparation),
@@ -236,6 +238,7 @@ json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& 
                 {"samples", summary.samples()},
                 {"frames", summary.frames()},
                 {"spine_blocks", summary.specimen.spine.size()},
+                {"sensors", summary.specimen.sensors.size()},
                 {"at_rest", summary.preparation_text},
                 {"standing", to_json(summary.standing)},
                 {"warnings", summary.warnings}};
