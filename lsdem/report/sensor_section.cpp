@@ -30,13 +30,12 @@ std::string describe_filter(const SensorHistory& sensor) {
 ReportFigure make_sensor_figure(const SensorHistory& sensor, std::size_t first, std::size_t last, std::size_t number) {
     const std::vector<SensorChannel>& channels = find_channels(sensor.kind);
     const bool is_joint = sensor.kind == SensorKind::joint;
-    const std::string what = is_joint ? (first == 0 ? "gap and slip" : "force") : kSensorKinds.at(static_cast<std::size_t>(sensor.kind));
-    LinePlot plot{.title = fmt::format("{}: {}", sensor.name, is_joint ? what : channels[first].quantity),
+    std::string what = is_joint ? (first == 0 ? "gap and slip" : "force") : kSensorKinds.at(static_cast<std::size_t>(sensor.kind));
+    std::replace(what.begin(), what.end(), '_', ' ');
+    LinePlot plot{.title = fmt::format("{}: {}", sensor.name, what),
                   .subtitle = describe_place(sensor),
                   .x_label = "t [s]",
                   .y_label = fmt::format("{} [{}]", what, channels[first].unit)};
-    std::replace(plot.title.begin(), plot.title.end(), '_', ' ');
-    std::replace(plot.y_label.begin(), plot.y_label.end(), '_', ' ');
     std::vector<double> time;
     for (std::size_t k = 0; k < sensor.readings(); ++k) time.push_back(sensor.time(k));
     for (std::size_t c = first; c < last; ++c) plot.series.push_back({.label = channels[c].label, .x = time, .y = sensor.column(c)});

@@ -133,7 +133,7 @@ struct RunData {
 struct SensorMemory {
     std::vector<double> filter;  ///< two numbers for each section, channel by channel
     std::vector<double> last;    ///< filtered channels at the last step, SI
-    /// Of a joint, fixed when the run began: the point of it in the frames of both bodies [m], and its normal and one direction across it
+    /// Joint, fixed when the run began: the point of it in the frames of both bodies [m], and its normal and one direction across it
     /// in that of the second.
     std::array<Vector3, 2> place = {Vector3::Zero(), Vector3::Zero()};
     Vector3 normal = Vector3::Zero(), across = Vector3::Zero();
