@@ -156,7 +156,9 @@ void SensorReader::read(std::uint64_t step) {
 
 SensorReader::BodyState SensorReader::find_base() const {
     const BaseState base = simulation_->base();
-    return {base.displacement, base.velocity, base.acceleration, Quaternion::Identity(), Vector3::Zero(), Vector3::Zero()};
+    const Vector3 origin = base.displacement + (base.pivot - base.turn * base.pivot);
+    return {origin,    base.velocity_at(origin), base.acceleration_at(origin),
+            base.turn, base.turn_rates.velocity, base.turn_rates.acceleration};
 }
 
 SensorReader::BodyState SensorReader::find_body(const std::optional<std::size_t>& body) const {

@@ -67,7 +67,7 @@ Vector3 reading(const RunResult& run, std::size_t sensor, std::size_t k) {
 Specimen make_shaken_ground(double steps_per_period, double time_step) {
     Specimen specimen = make_column(1);
     specimen.model.blocks[0].position.z() = 1e6;
-    BaseComponent& motion = specimen.model.ground.motion[0];
+    BaseComponent& motion = specimen.model.ground.motion.shift[0];
     motion = {.start = 0.0, .dt = time_step, .velocity = {}};
     for (int k = 0; k <= static_cast<int>(64.0 * steps_per_period); ++k)
         motion.velocity.push_back(std::sin(2.0 * pi * k / steps_per_period));
@@ -201,6 +201,49 @@ TEST_CASE("a block that rests on a shaken base moves as sensors on the base do, 
     }
 }
 
+// a base that turns at ω about z through p: its points have −ω²r, and a body at rest at ρ from p has ω×(ω×ρ) = −ω²ρ as seen from it
+TEST_CASE("sensors on a base that turns, on what it carries and on what it leaves behind read its closed form") {
+    constexpr double kSpin = 2.0, kArm = 0.3;  // [rad/s], [m]
+    Specimen specimen = make_column(2);
+    Model& model = specimen.model;
+    model.gravity.setZero();
+    model.ground.motion = {.shift = {}, .turn = {}, .pivot = {1.0, 0.0, 0.0}};
+    model.ground.motion.turn[2] = {.start = 0.0, .dt = 10.0, .velocity = {kSpin, kSpin}};
+    model.blocks[0].position = {1.0 + kArm, 0.0, 1.5};
+    model.blocks[0].fixed = model.blocks[0].with_base = true;
+    model.blocks[1].position = {-3.0, 4.0, 9.0};
+    const auto seen_from_base = [](PlacedSensor sensor) {
+        sensor.axes = SensorAxes::base;
+        sensor.relative = true;
+        return sensor;
+    };
+    PlacedSensor along_base = make_sensor(SensorKind::acceleration, 0);
+    along_base.axes = SensorAxes::base;
+    const RunResult run =
+        read(specimen,
+             {make_sensor(SensorKind::acceleration, std::nullopt, {1.0 + kArm, 0.0, 0.0}), along_base, make_sensor(SensorKind::rotation, 0),
+              seen_from_base(make_sensor(SensorKind::displacement, 0)), seen_from_base(make_sensor(SensorKind::rotation, 0)),
+              seen_from_base(make_sensor(SensorKind::acceleration, 1)), seen_from_base(make_sensor(SensorKind::velocity, 1)),
+              seen_from_base(make_sensor(SensorKind::displacement, 1)), make_sensor(SensorKind::displacement, 1)},
+             {.time_step = 1e-3, .steps_per_sample = 100, .samples = 12}, {.steps = 25.0});
+    constexpr double kRounding = 1e-11;
+    const Vector3 started(-4.0, 4.0, 9.0), spin(0.0, 0.0, kSpin);  // of the free block from the point about which the base turns
+    for (std::size_t k = 1; k < run.sensors[0].readings(); ++k) {
+        const double angle = kSpin * run.sensors[0].time(k);
+        const Vector3 out(std::cos(angle), std::sin(angle), 0.0);
+        CHECK((reading(run, 0, k) + kSpin * kSpin * kArm * out).norm() < kRounding);
+        CHECK((reading(run, 1, k) + kSpin * kSpin * kArm * Vector3::UnitX()).norm() < kRounding);
+        CHECK((reading(run, 2, k) - angle * Vector3::UnitZ()).norm() < kRounding);
+        CHECK(reading(run, 3, k).norm() < kRounding);
+        CHECK(reading(run, 4, k).norm() < kRounding);
+        const Vector3 seen = Eigen::AngleAxisd(-angle, Vector3::UnitZ()) * started;
+        CHECK((reading(run, 5, k) - spin.cross(spin.cross(seen))).norm() < kRounding);
+        CHECK((reading(run, 6, k) + spin.cross(seen)).norm() < kRounding);
+        CHECK((reading(run, 7, k) - (seen - started)).norm() < kRounding);
+        CHECK(reading(run, 8, k) == Vector3::Zero());
+    }
+}
+
 // |H|² = 1/(1 + (tan(π f dt)/tan(π f_c dt))^(2n)), readings a quarter of a period apart, or three of one that is folded back
 TEST_CASE("the filter of a sensor lets half the power of its corner pass, and what it folds back is as small as it says") {
     constexpr double kStep = 1e-3;  // [s]
@@ -220,7 +263,7 @@ TEST_CASE("the filter of a sensor lets half the power of its corner pass, and wh
 
 TEST_CASE("the filter of a sensor delays slow signals by as much as its history says") {
     Specimen specimen = make_shaken_ground(10.0, 1e-3);
-    specimen.model.ground.motion[0] = {.start = 0.0, .dt = 1.0, .velocity = {0.0, 3.0}};  // 3 m/s²
+    specimen.model.ground.motion.shift[0] = {.start = 0.0, .dt = 1.0, .velocity = {0.0, 3.0}};  // 3 m/s²
     const TimePlan plan{.time_step = 1e-3, .steps_per_sample = 10, .samples = 40};
     for (const int order : {1, 4, 7}) {
         const RunResult run =
