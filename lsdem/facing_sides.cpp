@@ -18,26 +18,26 @@ constexpr double kRim = 1.0 / 16.0;
 constexpr double kFacingTurn = 2.0 * kLeavingTurn * kLeavingTurn - 1.0;
 
 /// A convex body by its corners and planes, in the frame of a block.
-struct Outline {
+struct FaceOutline {
     std::vector<Vector3> corners;
     std::vector<Plane> planes;
 };
 
 /// Does a plane of one part it from the other?
-bool parts(const Outline& one, const Outline& other) {
+bool parts(const FaceOutline& one, const FaceOutline& other) {
     return std::any_of(one.planes.begin(), one.planes.end(), [&](const Plane& plane) {
         return std::all_of(other.corners.begin(), other.corners.end(), [&](const Vector3& x) { return plane.depth(x) <= 0.0; });
     });
 }
 
 /// The room before a face, without its rim, as far as `reach` [m].
-Outline find_room(const Polyhedron& piece, const Polyhedron::Face& face, double reach) {
+FaceOutline find_room(const Polyhedron& piece, const Polyhedron::Face& face, double reach) {
     const auto loop = piece.loop(face);
     Vector3 middle = Vector3::Zero();
     for (const std::uint32_t c : loop) middle += piece.corners[c];
     middle /= static_cast<double>(loop.size());
     const Vector3 &normal = face.plane.normal, up = reach * normal;
-    Outline room{{}, {{-normal, -face.plane.offset}, {normal, face.plane.offset + reach}}};
+    FaceOutline room{{}, {{-normal, -face.plane.offset}, {normal, face.plane.offset + reach}}};
     std::vector<Vector3> rim;
     for (const std::uint32_t c : loop) rim.emplace_back(piece.corners[c] + kRim * (middle - piece.corners[c]));
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -69,11 +69,11 @@ class Body {
         return ((bounds_.low - other.bounds_.high).array() < reach).all() && ((other.bounds_.low - bounds_.high).array() < reach).all();
     }
     /// Its pieces, in the frame of another.
-    std::vector<Outline> seen_from(const Body& other) const {
+    std::vector<FaceOutline> seen_from(const Body& other) const {
         const Placing place = other.placing_.inverse() * placing_;
-        std::vector<Outline> pieces;
+        std::vector<FaceOutline> pieces;
         for (const Polyhedron& piece : solid().pieces) {
-            Outline outline;
+            FaceOutline outline;
             for (const Vector3& corner : piece.corners) outline.corners.push_back(place * corner);
             for (const Polyhedron::Face& face : piece.faces) {
                 const Vector3 normal = place.rotation * face.plane.normal;
@@ -108,7 +108,7 @@ class FacingSides {
 
     void look_at(const Body& other) {
         if (!body_.is_within(other, reach_)) return;
-        for (const Outline& piece : other.seen_from(body_)) {
+        for (const FaceOutline& piece : other.seen_from(body_)) {
             for (std::size_t f = 0; f < rooms_.size(); ++f) {
                 if (!facing_[f]) facing_[f] = !parts(rooms_[f], piece) && !parts(piece, rooms_[f]);
             }
@@ -135,7 +135,7 @@ class FacingSides {
     const Body& body_;
     double reach_;
     std::vector<Vector3> normals_;
-    std::vector<Outline> rooms_;
+    std::vector<FaceOutline> rooms_;
     std::vector<bool> facing_;
 };
 

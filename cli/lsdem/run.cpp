@@ -151,8 +151,9 @@ CarriedOut run_or_resume(Begin begin, const RunOptions& options, const lsdem::Ru
 }
 
 CarriedOut carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
-    lsdem::RunSettings settings{
-        .threads = options.threads, .runs_to_follow = count_runs(options), .until_collapse = options.until_collapse};
+    lsdem::RunSettings settings{.threads = options.threads,
+                                .runs_to_follow = count_runs(options),
+                                .until_collapse = options.until_collapse || lsdem::tilts(begin.scene)};
     if (!directory.empty()) {
         settings.checkpoint = lsdem::CheckpointSettings{.file = checkpoint_in(directory),
                                                         .scene = begin.scene_text,

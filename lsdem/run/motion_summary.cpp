@@ -8,6 +8,7 @@
 #include "lsdem/base_motion.hpp"
 #include "records/measures/measures.hpp"
 #include "records/measures/response_spectrum.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/detail/overloaded.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -20,10 +21,13 @@ constexpr std::array kAxes{'x', 'y', 'z'};
 constexpr std::size_t kPeriods = 61;
 constexpr double kShortestPeriod = 4.0;
 
+/// "along x", "about y".
+std::string name_motion_axis(std::size_t axis) { return fmt::format("{} {}", axis < 3 ? "along" : "about", "xyz"[axis % 3]); }
+
 std::string describe_record(const RecordMotion& record) {
     std::string text = "record " + record.file.filename().string();
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-        if (record.components[axis]) text += fmt::format(", component {} along {}", *record.components[axis], kAxes[axis]);
+    for (std::size_t axis = 0; axis < kMotionAxes.size(); ++axis) {
+        if (record.components[axis]) text += fmt::format(", component {} {}", *record.components[axis], name_motion_axis(axis));
     }
     if (record.window) {
         text += fmt::format(", {} to {}", scaling::format_quantity((*record.window)[0]), scaling::format_quantity((*record.window)[1]));
@@ -34,14 +38,18 @@ std::string describe_record(const RecordMotion& record) {
 
 std::string describe_source(const SceneMotion& motion) {
     using scaling::detail::Overloaded;
-    const auto name_signal = Overloaded{[](const StepSignal&) { return "step"; }, [](const SineSignal&) { return "sine"; },
-                                        [](const HalfSineSignal&) { return "half sine"; }, [](const RickerSignal&) { return "Ricker"; },
-                                        [](const SyntheticSignal&) { return "synthetic"; }};
+    const auto name_signal = Overloaded{[](const StepSignal&) { return "step"; },           [](const SineSignal&) { return "sine"; },
+                                        [](const HalfSineSignal&) { return "half sine"; },  [](const RickerSignal&) { return "Ricker"; },
+                                        [](const SyntheticSignal&) { return "synthetic"; }, [](const RockingSignal&) { return "rocking"; }};
     return std::visit(Overloaded{[](std::monostate) { return std::string("none, the base rests"); },
                                  [](const RecordMotion& record) { return describe_record(record); },
                                  [&](const SignalMotion& signal) {
-                                     return fmt::format("{} signal along {}", std::visit(name_signal, signal.signal),
-                                                        kAxes[static_cast<std::size_t>(signal.axis)]);
+                                     return fmt::format("{} signal {}", std::visit(name_signal, signal.signal),
+                                                        name_motion_axis(signal.axis));
+                                 },
+                                 [](const TiltMotion& tilt) {
+                                     return fmt::format("tilt {} at {} up to {:.6g} deg", name_motion_axis(3 + tilt.about),
+                                                        scaling::format_quantity(tilt.rate), tilt.until.value() / scaling::kDegree);
                                  }},
                       motion.source);
 }

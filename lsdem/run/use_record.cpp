@@ -46,7 +46,7 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
 
     RecordMotion source;
     source.file = std::filesystem::absolute(file);
-    source.components = components;
+    std::copy(components.begin(), components.end(), source.components.begin());
     source.unit = reading.unit;
     source.quantity = reading.quantity;
     source.dt = reading.dt;
@@ -81,7 +81,8 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
     steps.push_back(describe_filter(motion));
     steps.emplace_back(describe_end(at_rest));
 
-    scene.base_motion = {.source = source, .factors = {}};
+    scene.base_motion = {};
+    scene.base_motion.source = source;
     return steps;
 }
 

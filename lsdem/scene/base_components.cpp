@@ -45,6 +45,7 @@ BaseComponent make_component(const StepSignal& signal, const SignalMotion& /*mot
 
 double peak_of(const StepSignal& /*signal*/) { return 0.0; }
 double peak_of(const SyntheticSignal& signal) { return signal.pga.value(); }
+double peak_of(const RockingSignal& /*signal*/) { return 0.0; }
 template <class Wave>
 double peak_of(const Wave& signal) {
     return std::abs(signal.amplitude.value());
@@ -94,11 +95,40 @@ BaseComponent make_component(const SyntheticSignal& signal, const SignalMotion& 
     return to_component(base.velocity, base.velocity.start());
 }
 
+/// Rate of the angle of a rocking base [rad/s].
+BaseComponent make_component(const RockingSignal& signal, const SignalMotion& motion) {
+    const double period = 1.0 / signal.frequency.value(), omega = 2.0 * pi / period, length = signal.cycles * period;
+    return sample(length, sample_step(motion, period), [&](double t) {
+        const double from_end = length - t, aside = std::min(t, from_end);
+        const bool is_inside = aside >= period;
+        const double part = is_inside ? 1.0 : 0.5 * (1.0 - std::cos(0.5 * omega * aside));
+        const double slope = is_inside ? 0.0 : (t < from_end ? 0.25 : -0.25) * omega * std::sin(0.5 * omega * aside);
+        return signal.angle.value() * (slope * std::sin(omega * t) + part * omega * std::cos(omega * t));
+    });
+}
+
+/// Intervals of a tilt, in the first and the last of which its rate grows and falls.
+constexpr std::size_t kTiltIntervals = 64;
+
 BaseComponents make_motion(std::monostate /*still*/) { return {}; }
+
+BaseComponents make_motion(const TiltMotion& motion) {
+    BaseComponents made;
+    BaseComponent& turn = made.turn.at(motion.about);
+    turn.dt = motion.duration().value() / static_cast<double>(kTiltIntervals);
+    turn.velocity.assign(kTiltIntervals + 1, motion.rate.value());
+    turn.velocity.front() = turn.velocity.back() = 0.0;
+    return made;
+}
+
+/// The component along or about one of kMotionAxes.
+BaseComponent& component_of(BaseComponents& motion, std::size_t axis) {
+    return axis < 3 ? motion.shift.at(axis) : motion.turn.at(axis - 3);
+}
 
 BaseComponents make_motion(const SignalMotion& motion) {
     BaseComponents made;
-    BaseComponent& component = made.shift[static_cast<std::size_t>(motion.axis)];
+    BaseComponent& component = component_of(made, motion.axis);
     component = std::visit([&](const auto& signal) { return make_component(signal, motion); }, motion.signal);
     component.start += motion.start.value();
     component.source.peak_acceleration = std::visit([](const auto& signal) { return peak_of(signal); }, motion.signal);
@@ -141,11 +171,11 @@ BaseComponents make_motion(const RecordMotion& motion) {
     if (motion.window) settings.window = records::TimeWindow{(*motion.window)[0], (*motion.window)[1]};
 
     BaseComponents made;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < kMotionAxes.size(); ++axis) {
         if (!motion.components[axis]) continue;
         const records::BaseMotion base = records::make_base_motion(record, *motion.components[axis], settings);
-        made.shift[axis] = to_component(base.velocity, origin);
-        made.shift[axis].source = find_source(base.record);
+        component_of(made, axis) = to_component(base.velocity, origin);
+        component_of(made, axis).source = find_source(base.record);
     }
     return made;
 }
@@ -161,9 +191,21 @@ void scale(BaseComponents& motion, const MotionFactors& factors) {
         for (double& a : component.source.acceleration) a *= velocity / factors.time;
         component.source.peak_acceleration *= velocity / factors.time;
     }
+    for (BaseComponent& component : motion.turn) {
+        component.start *= factors.time;
+        component.dt *= factors.time;
+        for (double& rate : component.velocity) rate /= factors.time;
+        for (double& rate : component.source.velocity) rate /= factors.time;
+        for (double& a : component.source.acceleration) a /= factors.time * factors.time;
+    }
 }
 
 }  // namespace
+
+scaling::Time TiltMotion::duration() const {
+    constexpr auto kWhole = static_cast<double>(kTiltIntervals);
+    return until / rate * (kWhole / (kWhole - 1.0));
+}
 
 BaseComponents make_base_components(const SceneMotion& motion, const std::string& place) {
     try {
@@ -173,6 +215,7 @@ BaseComponents make_base_components(const SceneMotion& motion, const std::string
             scale(made, {similitude.time(), similitude.velocity(), similitude.velocity_vertical()});
         }
         scale(made, motion.factors);
+        if (motion.pivot) made.pivot = {(*motion.pivot)[0].value(), (*motion.pivot)[1].value(), (*motion.pivot)[2].value()};
         return made;
     } catch (const records::ProcessingError& error) {
         throw error.seen_from<SceneError>(place);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "lsdem/bodies.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/base_components.hpp"
@@ -86,6 +88,22 @@ Material make_material(const BlockMaterial& material, double face_area) {
     Material made;
     for_each_contact_field([&](const auto& field) { made.*field.lowered = lower(material.*field.of_material, face_area); });
     return made;
+}
+
+/// Point of the plane in the middle of the extent of all blocks along x and y [m].
+Vector3 find_middle_of_base(const Model& model) {
+    const Bodies bodies(model);
+    Vector3 middle = Vector3::Zero();
+    for (const int axis : {0, 1}) {
+        const Vector3 along = Vector3::Unit(axis);
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const double at = bodies.pose[i].position[axis];
+            low = std::min(low, at - bodies.find_reach(i, -along)), high = std::max(high, at + bodies.find_reach(i, along));
+        }
+        if (low < high) middle[axis] = 0.5 * (low + high);
+    }
+    return middle;
 }
 
 /// Adds blocks to a model; equal blocks share their shape and their material.
@@ -211,6 +229,7 @@ BuiltModel build_model(const Scene& scene) {
     model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
     builder.add_pairs();
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
+    if (model.ground.motion.turns() && !scene.base_motion.pivot) model.ground.motion.pivot = find_middle_of_base(model);
     model.gravity = detail::to_vector(scene.gravity);
     if (scene.scatter && scene.scatter->friction != 0.0) model.scatter = {scene.scatter->friction, scene.scatter->seed};
     model.numerics.contact_nodes = scene.contact_nodes;

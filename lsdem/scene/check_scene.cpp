@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -15,6 +16,7 @@
 #include "lsdem/scene/detail/wall_courses.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_key.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/nearest_name.hpp"
@@ -201,9 +203,16 @@ void check(const Wall& wall, const JsonPlace& place, const Scene& scene) {
     detail::lay_wall(wall, place);
 }
 
+/// Refuses a base that turns farther than upside down.
+void require_angle(scaling::Ratio angle, const JsonPlace& place) {
+    if (!(angle.value() <= std::numbers::pi))
+        fail(place, fmt::format("{:.6g} deg (a base that turns by more than 180 deg carries nothing); correct the angle",
+                                angle.value() / scaling::kDegree));
+}
+
 void check(const RecordMotion& motion, const JsonPlace& place) {
-    if (!motion.components[0] && !motion.components[1] && !motion.components[2]) {
-        fail(place.at("components"), "no component is used (the base would not move); name one for x, y or z");
+    if (std::none_of(motion.components.begin(), motion.components.end(), [](const auto& name) { return name.has_value(); })) {
+        fail(place.at("components"), "no component is used (the base would not move); name one for x, y, z, rx, ry or rz");
     }
     require_fields(motion, place);
     if (motion.window) {
@@ -224,6 +233,18 @@ void check(const RecordMotion& motion, const JsonPlace& place) {
 void check(const SignalMotion& motion, const JsonPlace& place) {
     std::visit([&](const auto& signal) { require_fields(signal, place); }, motion.signal);
     require_fields(motion, place);
+    const auto* const rocking = std::get_if<RockingSignal>(&motion.signal);
+    if (rocking == nullptr) return;
+    require_angle(rocking->angle, place.at("angle"));
+    if (!(rocking->cycles >= 2.0)) {
+        fail(place.at("cycles"),
+             fmt::format("{} (the first cycle grows and the last one fades); give at least 2", describe(rocking->cycles)));
+    }
+}
+
+void check(const TiltMotion& motion, const JsonPlace& place) {
+    require_fields(motion, place);
+    require_angle(motion.until, place.at("until"));
 }
 
 void check(const Preparation& preparation, const JsonPlace& place, const Scene& scene) {
@@ -256,6 +277,7 @@ void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
 void check(const SceneMotion& motion, const JsonPlace& place, const Scene& scene) {
     std::visit([&](const auto& source) { check(source, place); }, motion.source);
     require_fields(motion.factors, place.at("factors"));
+    require_fields(motion, place);
     if (!scene.ground.present && !std::holds_alternative<std::monostate>(motion.source)) {
         fail(place, "there is no ground to move (/ground/present is false); leave one of the two out");
     }
@@ -336,7 +358,7 @@ void check_scene(const Scene& scene, const std::string& origin) {
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
     check_pairs(scene, root.at("pairs"));
 
-    check(scene.base_motion, root.at("base_motion"), scene);
+    check(scene.base_motion, root.at(tilts(scene) ? "tilt" : "base_motion"), scene);
     if (!scene.motions.empty()) check_motions(scene, root.at("motions"));
     require_fields(scene.ground, root.at("ground"));
 

@@ -21,7 +21,8 @@ std::string name_of(const MotionEntry& entry) {
     if (!entry.name.empty()) return entry.name;
     return std::visit(Overloaded{[](std::monostate) { return std::string("still"); },
                                  [](const RecordMotion& motion) { return motion.file.stem().string(); },
-                                 [](const SignalMotion& motion) { return std::string(detail::kSignalKinds.at(motion.signal.index())); }},
+                                 [](const SignalMotion& motion) { return std::string(detail::kSignalKinds.at(motion.signal.index())); },
+                                 [](const TiltMotion&) { return std::string("tilt"); }},
                       entry.base_motion.source);
 }
 

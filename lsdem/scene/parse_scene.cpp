@@ -71,12 +71,12 @@ scaling::Time find_camera_step(const std::string& preset, const JsonReader& step
     return camera_step->value;
 }
 
-/// `preset`: name of the scene's material, empty for none. With a list of motions the duration may be left out.
-TimeSettings parse_time(const JsonReader& value, double safety, const std::string& preset, bool has_motions) {
+/// `preset`: name of the scene's material, empty for none. The duration may be left out where motions give one.
+TimeSettings parse_time(const JsonReader& value, double safety, const std::string& preset, bool has_length) {
     const JsonReader object = to_object(value, "time");
     TimeSettings time;
     time.safety = safety;
-    if (!has_motions || object.has("duration")) time.duration = object.get<scaling::Time>("duration");
+    if (!has_length || object.has("duration")) time.duration = object.get<scaling::Time>("duration");
     if (object.has("step") && object["step"].json() != "auto") {
         const JsonReader step = object["step"];
         time.step = step.json() == "camera" ? find_camera_step(preset, step) : step.quantity<scaling::Time>();
@@ -219,15 +219,23 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     detail::check_shapes(scene, detail::JsonPlace{object.place()});  // materials refer to the first block's base
     read_materials(object, scene);
     if (object.has("base_motion")) scene.base_motion = detail::parse_base_motion(object["base_motion"], origin);
+    if (object.has("tilt")) {
+        if (object.has("base_motion") || object.has("motions")) {
+            object["tilt"].fail("the base has another motion as well (it can follow one only); leave one of the two out");
+        }
+        scene.base_motion = detail::parse_tilt(object["tilt"]);
+    }
     if (object.has("motions")) scene.motions = detail::parse_motions(object["motions"], origin);
     if (object.has("ground")) detail::read_fields(to_object(object["ground"], "ground"), scene.ground);
     read_contact(object, scene);
     remark_settings(object, scene);
     if (object.has("preparation")) scene.preparation = parse_preparation(object["preparation"], origin);
-    const bool has_motions = !scene.motions.empty();
-    if (!has_motions || object.has("time")) {
-        scene.time = parse_time(object["time"], scene.time.safety, find_preset_name(object["material"]), has_motions);
+    const auto* const tilt = std::get_if<TiltMotion>(&scene.base_motion.source);
+    const bool has_length = !scene.motions.empty() || tilt != nullptr;
+    if (!has_length || object.has("time")) {
+        scene.time = parse_time(object["time"], scene.time.safety, find_preset_name(object["material"]), has_length);
     }
+    if (tilt != nullptr && scene.time.duration.value() == 0.0) scene.time.duration = scene.base_motion.factors.time * tilt->duration();
     if (object.has("output")) detail::read_fields(to_object(object["output"], "output"), scene.output);
     if (object.has("sensors")) scene.sensors = detail::parse_sensors(object["sensors"]);
     check_scene(scene, origin.string());

@@ -68,8 +68,10 @@ class Scaler {
             scale_part(placed);
         }
     }
+    /// What the source gives stays, and takes the factors.
     void scale(SceneMotion& motion) const {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
+        scale(motion.pivot);
         motion.factors.time *= similitude_.time();
         motion.factors.velocity *= similitude_.velocity();
         motion.factors.velocity_vertical *= similitude_.velocity_vertical();

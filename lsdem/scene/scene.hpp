@@ -14,13 +14,10 @@
 #include "lsdem/scene/accuracy_presets.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/preparation.hpp"
+#include "lsdem/scene/scene_motion.hpp"
 #include "lsdem/scene/sensors.hpp"
 #include "lsdem/scene/shape_entry.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
-#include "records/formats/column_choice.hpp"
-#include "records/processing/processing.hpp"
-#include "records/sample_unit.hpp"
-#include "scaling/laws/similitude.hpp"
 #include "scaling/units.hpp"
 
 /// Scenes: what to simulate, in typed quantities; from and to JSON, scaled by a similitude, turned into the kernel's Model.
@@ -197,108 +194,6 @@ struct Scatter {
 /// Pitch of the cells when a scene gives none: that of the prototype tower for its block,  p = w·1.435/2.82  [Harmon23].
 scaling::Length default_pitch(const Triple<scaling::Length>& block);
 
-/// Scale factors that a scene applies to its own record.
-struct RecordScale {
-    std::string law = "mu";             ///< one that comes with musim, by name, or a file by its absolute path
-    std::map<std::string, double> set;  ///< factors by quantity; what is not in it has the law's default
-
-    bool operator==(const RecordScale&) const = default;
-};
-
-/// The similitude of a record's scale. Throws scaling::SimilitudeError.
-scaling::Similitude make_similitude(const RecordScale& scale);
-
-/// A recorded base motion: read, high-passed, integrated, windowed, brought to rest, then scaled.
-struct RecordMotion {
-    std::filesystem::path file;                            ///< absolute path
-    std::array<std::optional<std::string>, 3> components;  ///< component names along x, y, z
-    std::optional<std::string> unit;                       ///< of plain text files
-    std::optional<records::SampleQuantity> quantity;       ///< of plain text files
-    std::optional<scaling::Time> dt;                       ///< of files without one
-    std::optional<double> sensitivity;                     ///< of files of counts [counts per m/s^2, m/s or m]
-    std::optional<std::filesystem::path> station_xml;      ///< of files of counts: StationXML file that gives it; absolute path
-    std::optional<records::ColumnChoices> columns;         ///< of plain text files: which column is what
-    std::optional<std::size_t> skip;                       ///< lines at the beginning of text files that are not read
-    std::optional<std::array<scaling::Time, 2>> window;    ///< part to use, in the record's own time; it starts at t = 0
-    std::optional<scaling::Frequency> highpass_corner;     ///< default: what the record itself asks for
-    records::AtRest at_rest = records::AtRest::home;       ///< how the base begins and ends
-    std::optional<RecordScale> scale;
-
-    bool operator==(const RecordMotion&) const = default;
-};
-
-/// The base takes the velocity V at once and keeps it.
-struct StepSignal {
-    scaling::Velocity velocity{};
-
-    bool operator==(const StepSignal&) const = default;
-};
-
-/// a(t) = A·sin(2π f t) from rest, for a number of cycles; the velocity A/(2π f)·(1 − cos) never changes sign.
-struct SineSignal {
-    scaling::Acceleration amplitude{};
-    scaling::Frequency frequency{};
-    double cycles = 1.0;
-
-    bool operator==(const SineSignal&) const = default;
-};
-
-/// a(t) = A·sin(π t/T) for 0 ≤ t ≤ T, then the velocity 2AT/π stays.
-struct HalfSineSignal {
-    scaling::Acceleration amplitude{};
-    scaling::Time duration{};
-
-    bool operator==(const HalfSineSignal&) const = default;
-};
-
-/// Ricker wavelet a(τ) = A·(1 − 2π²f²τ²)·exp(−π²f²τ²), whose peak comes 1.5/f after the start; starts and ends at rest [Ricker53].
-struct RickerSignal {
-    scaling::Acceleration amplitude{};
-    scaling::Frequency frequency{};
-
-    bool operator==(const RickerSignal&) const = default;
-};
-
-/// Made earthquake with given peaks, see records::make_synthetic_record.
-struct SyntheticSignal {
-    scaling::Acceleration pga{};
-    scaling::Velocity pgv{};
-    scaling::Time duration{};
-    scaling::Time dt{};
-    std::uint64_t seed = 1;
-
-    bool operator==(const SyntheticSignal&) const = default;
-};
-
-using Signal = std::variant<StepSignal, SineSignal, HalfSineSignal, RickerSignal, SyntheticSignal>;
-
-/// A base motion given by a formula, along one axis.
-struct SignalMotion {
-    Signal signal;
-    int axis = 0;                     ///< 0, 1, 2: x, y, z
-    scaling::Time start{};            ///< when it begins
-    std::optional<scaling::Time> dt;  ///< of the samples of sine, half_sine and ricker; default: period/200
-
-    bool operator==(const SignalMotion&) const = default;
-};
-
-/// Factors that scale_scene has applied to a base motion so far: times and velocities of the prototype's samples are multiplied by these.
-struct MotionFactors {
-    double time = 1.0;
-    double velocity = 1.0;           ///< along x and y
-    double velocity_vertical = 1.0;  ///< along z
-
-    bool operator==(const MotionFactors&) const = default;
-};
-
-/// Motion of the ground, as a scene describes it.
-struct SceneMotion {
-    std::variant<std::monostate, RecordMotion, SignalMotion> source;
-    MotionFactors factors;
-
-    bool operator==(const SceneMotion&) const = default;
-};
-
 /// One of several motions that shake the same structure one after another.
 struct MotionEntry {
     std::string name;                       ///< for people and folders; empty: named after its record or signal
@@ -394,6 +289,9 @@ struct Scene {
     bool is_sphere(const BlockEntry& block) const;
     bool operator==(const Scene&) const = default;
 };
+
+/// Does the ground tilt until the structure collapses? Then runs end there.
+inline bool tilts(const Scene& scene) { return std::holds_alternative<TiltMotion>(scene.base_motion.source); }
 
 /// Checks that a scene can be built: positive sizes, densities, stiffnesses, durations, restitution in (0, 1], and so on.
 /// Throws SceneError `origin: /json/path: what (why); what to do`.

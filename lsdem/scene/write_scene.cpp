@@ -27,6 +27,11 @@ constexpr std::array kAxes{"x", "y", "z"};
 constexpr int kDigits = 7;
 
 /// Writes the parts of a scene with quantities in one style.
+const char* key_of_motion(const Scene& scene) {
+    if (!scene.motions.empty()) return "motions";
+    return tilts(scene) ? "tilt" : "base_motion";
+}
+
 class SceneWriter {
   public:
     explicit SceneWriter(QuantityStyle style) : style_(style) {}
@@ -47,7 +52,7 @@ class SceneWriter {
             {"shape", to_json(scene.shape, scene.has_contact_nodes())},
             {"shapes", to_json(scene.shapes)},
             {std::holds_alternative<Assembly>(scene.structure) ? "structures" : "structure", to_json(scene.structure, with_size)},
-            {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
+            {key_of_motion(scene), scene.motions.empty() ? to_json(scene.base_motion) : motions},
             {"ground", write_part(scene.ground)},
             {"contact",
              {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
@@ -241,8 +246,8 @@ class SceneWriter {
 
     ordered_json to_json(const RecordMotion& motion) const {
         ordered_json object{{"record", motion.file.string()}, {"components", ordered_json::object()}};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (motion.components[axis]) object["components"][kAxes[axis]] = *motion.components[axis];
+        for (std::size_t axis = 0; axis < kMotionAxes.size(); ++axis) {
+            if (motion.components[axis]) object["components"][kMotionAxes[axis]] = *motion.components[axis];
         }
         object = write_part(motion, object);
         if (motion.station_xml) object["station_xml"] = motion.station_xml->string();
@@ -260,15 +265,18 @@ class SceneWriter {
     ordered_json to_json(const SignalMotion& motion) const {
         const ordered_json kind{{"signal", detail::kSignalKinds.at(motion.signal.index())}};
         ordered_json object = std::visit([&](const auto& signal) { return write_part(signal, kind); }, motion.signal);
-        object["direction"] = kAxes[static_cast<std::size_t>(motion.axis)];
+        object["direction"] = kMotionAxes.at(motion.axis);
         return write_part(motion, object);
     }
+
+    ordered_json to_json(const TiltMotion& motion) const { return write_part(motion, {{"about", kMotionAxes.at(motion.about)}}); }
 
     ordered_json to_json(const SceneMotion& motion) const {
         ordered_json object = std::visit(
             Overloaded{[](std::monostate) -> ordered_json { return nullptr; }, [&](const auto& source) { return to_json(source); }},
             motion.source);
         if (object.is_null()) return object;
+        object = write_part(motion, object);
         object["factors"] = write_part(motion.factors);
         if (motion.factors.velocity_vertical == motion.factors.velocity) object["factors"].erase("velocity_vertical");
         return object;

@@ -86,11 +86,6 @@ BlockList parse_block_list(const JsonReader& object, const std::filesystem::path
     return list;
 }
 
-const std::vector<std::string>& axis_names() {
-    static const std::vector<std::string> kNames{"x", "y", "z"};
-    return kNames;
-}
-
 RecordScale parse_record_scale(const JsonReader& value, const std::filesystem::path& origin) {
     const JsonReader object = to_object(value, "scale");
     RecordScale scale;
@@ -116,7 +111,7 @@ RecordMotion parse_record(const JsonReader& object, const std::filesystem::path&
     RecordMotion motion;
     motion.file = resolve(object.get<std::string>("record"), origin);
     const JsonReader components = to_object(object["components"], "components");
-    for (std::size_t axis = 0; axis < 3; ++axis) motion.components[axis] = components.find<std::string>(axis_names()[axis]);
+    for (std::size_t axis = 0; axis < kMotionAxes.size(); ++axis) motion.components[axis] = components.find<std::string>(kMotionAxes[axis]);
     read_fields(object, motion);
     if (object.has("station_xml")) motion.station_xml = resolve(object.get<std::string>("station_xml"), origin);
     if (object.has("scale")) motion.scale = parse_record_scale(object["scale"], origin);
@@ -128,7 +123,12 @@ SignalMotion parse_signal(const JsonReader& value) {
     const JsonReader object = to_object(value, kSignalKinds[kind]);
     SignalMotion motion{.signal = make_alternative<Signal>(kind), .dt = {}};
     std::visit([&](auto& signal) { read_fields(object, signal); }, motion.signal);
-    if (object.has("direction")) motion.axis = static_cast<int>(to_choice(object["direction"], axis_names()));
+    const bool turns = std::holds_alternative<RockingSignal>(motion.signal);
+    motion.axis = turns ? 4 : 0;
+    if (object.has("direction")) {
+        const auto* const first = kMotionAxes.begin() + (turns ? 3 : 0);
+        motion.axis = to_choice(object["direction"], {first, first + 3}) + (turns ? 3 : 0);
+    }
     read_fields(object, motion);
     // the time step of a synthetic record is its own
     if (std::holds_alternative<SyntheticSignal>(motion.signal)) motion.dt.reset();
@@ -294,6 +294,19 @@ Scatter parse_scatter(const JsonReader& value) {
     return scatter;
 }
 
+namespace {
+
+/// What every motion may have besides its source.
+void read_more(const JsonReader& value, SceneMotion& motion) {
+    if (value.json().contains("pivot")) motion.pivot = value.get<Triple<scaling::Length>>("pivot");
+    if (!value.json().contains("factors")) return;
+    const JsonReader factors = to_object(value.at("factors"), "factors");
+    read_fields(factors, motion.factors);
+    if (!factors.has("velocity_vertical")) motion.factors.velocity_vertical = motion.factors.velocity;
+}
+
+}  // namespace
+
 SceneMotion parse_base_motion(const JsonReader& value, const std::filesystem::path& origin) {
     const Json& json = value.json();
     SceneMotion motion;
@@ -305,11 +318,18 @@ SceneMotion parse_base_motion(const JsonReader& value, const std::filesystem::pa
     } else {
         motion.source = parse_signal(value);
     }
-    if (json.contains("factors")) {
-        const JsonReader factors = to_object(value.at("factors"), "factors");
-        read_fields(factors, motion.factors);
-        if (!factors.has("velocity_vertical")) motion.factors.velocity_vertical = motion.factors.velocity;
-    }
+    read_more(value, motion);
+    return motion;
+}
+
+SceneMotion parse_tilt(const JsonReader& value) {
+    const JsonReader object = to_object(value, "tilt");
+    TiltMotion tilt;
+    if (object.has("about")) tilt.about = to_choice(object["about"], {"x", "y"});
+    read_fields(object, tilt);
+    SceneMotion motion;
+    motion.source = tilt;
+    read_more(value, motion);
     return motion;
 }
 

@@ -241,6 +241,7 @@ inline constexpr auto kFields<RecordMotion> = std::tuple{
     Field{"window", &RecordMotion::window},
     Field{"highpass", &RecordMotion::highpass_corner, Range::positive},
     Field{"at_rest", &RecordMotion::at_rest},
+    Field{"apparent_velocity", &RecordMotion::apparent_velocity, Range::positive},
 };
 template <>
 inline constexpr auto kFields<StepSignal> = std::tuple{Field{"velocity", &StepSignal::velocity, Range::finite, kRequired}};
@@ -268,6 +269,21 @@ inline constexpr auto kFields<SyntheticSignal> = std::tuple{
     Field{"dt", &SyntheticSignal::dt, Range::positive, kRequired},
     Field{"seed", &SyntheticSignal::seed},
 };
+template <>
+inline constexpr auto kFields<RockingSignal> = std::tuple{
+    Field{"angle", &RockingSignal::angle, Range::positive, kRequired},
+    Field{"frequency", &RockingSignal::frequency, Range::positive, kRequired},
+    Field{"cycles", &RockingSignal::cycles, Range::positive, kRequired},
+};
+/// Behind its axis.
+template <>
+inline constexpr auto kFields<TiltMotion> = std::tuple{
+    Field{"rate", &TiltMotion::rate, Range::positive, kRequired},
+    Field{"until", &TiltMotion::until, Range::positive},
+};
+/// Behind those of the source.
+template <>
+inline constexpr auto kFields<SceneMotion> = std::tuple{Field{"pivot", &SceneMotion::pivot, Range::finite}};
 /// Behind those of the signal and its direction.
 template <>
 inline constexpr auto kFields<SignalMotion> = std::tuple{
@@ -330,7 +346,7 @@ inline constexpr std::array kStructureKinds{"blocks", "column", "tower", "wall",
 inline constexpr std::array kStructureKeys{"blocks", "column", "tower", "wall", "shape_column", "arch"};
 inline constexpr std::array kShapeKinds{"box", "prism", "cylinder", "polyhedron", "mesh", "compound", "sphere"};
 inline constexpr std::array kShapeAxes{"x", "y", "z"};
-inline constexpr std::array kSignalKinds{"step", "sine", "half_sine", "ricker", "synthetic"};
+inline constexpr std::array kSignalKinds{"step", "sine", "half_sine", "ricker", "synthetic", "rocking"};
 
 /// The alternative of a variant at a position, with its defaults.
 template <class Variant, std::size_t... I>

@@ -50,6 +50,7 @@ Assembly parse_structures(const scaling::JsonReader& list, const std::filesystem
 Scatter parse_scatter(const scaling::JsonReader& value);
 /// "base_motion".
 SceneMotion parse_base_motion(const scaling::JsonReader& value, const std::filesystem::path& origin);
+SceneMotion parse_tilt(const scaling::JsonReader& value);
 /// "motions", one after another.
 std::vector<MotionEntry> parse_motions(const scaling::JsonReader& list, const std::filesystem::path& origin);
 /// "sensors".
