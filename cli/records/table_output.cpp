@@ -32,16 +32,16 @@ struct LimitUnits {
 };
 
 LimitUnits find_units(TableLimit limit) {
-    static const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0}, kDegree{"deg", scaling::kDegree};
+    static const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0}, kAngle{"deg", scaling::kDegree};
     static const LimitUnits kUnits[] = {{TableLimit::displacement, {"mm", 1e-3}, {"mm", 1e-3}},
                                         {TableLimit::velocity, {"cm/s", 1e-2}, {"cm/s", 1e-2}},
                                         {TableLimit::acceleration, kGravity, kGravity},
                                         {TableLimit::force, {"kN", 1e3}, {"MN", 1e6}},
                                         {TableLimit::overturning_moment, {"kN m", 1e3}, {"MN m", 1e6}},
                                         {TableLimit::payload, {"kg", 1.0}, {"t", 1e3}},
-                                        {TableLimit::angle, kDegree, kDegree},
-                                        {TableLimit::angular_velocity, {"deg/s", kDegree.si}, {"deg/s", kDegree.si}},
-                                        {TableLimit::angular_acceleration, {"deg/s2", kDegree.si}, {"deg/s2", kDegree.si}}};
+                                        {TableLimit::angle, kAngle, kAngle},
+                                        {TableLimit::angular_velocity, {"deg/s", kAngle.si}, {"deg/s", kAngle.si}},
+                                        {TableLimit::angular_acceleration, {"deg/s2", kAngle.si}, {"deg/s2", kAngle.si}}};
     const auto* const found =
         std::find_if(std::begin(kUnits), std::end(kUnits), [&](const LimitUnits& each) { return each.limit == limit; });
     return found == std::end(kUnits) ? LimitUnits{limit, kHertz, kHertz} : *found;

@@ -11,6 +11,7 @@
 #include "lsdem/scene/scene_key.hpp"
 #include "records/formats/read_record.hpp"
 #include "records/processing/base_motion.hpp"
+#include "records/processing/surface_rotation.hpp"
 #include "records/synthesis/ricker.hpp"
 #include "records/synthesis/synthetic.hpp"
 
@@ -110,9 +111,9 @@ BaseComponent make_component(const RockingSignal& signal, const SignalMotion& mo
 /// Intervals of a tilt, in the first and the last of which its rate grows and falls.
 constexpr std::size_t kTiltIntervals = 64;
 
-BaseComponents make_motion(std::monostate /*still*/) { return {}; }
+BaseComponents make_motion(std::monostate /*still*/, const std::string& /*place*/) { return {}; }
 
-BaseComponents make_motion(const TiltMotion& motion) {
+BaseComponents make_motion(const TiltMotion& motion, const std::string& /*place*/) {
     BaseComponents made;
     BaseComponent& turn = made.turn.at(motion.about);
     turn.dt = motion.duration().value() / static_cast<double>(kTiltIntervals);
@@ -126,7 +127,7 @@ BaseComponent& component_of(BaseComponents& motion, std::size_t axis) {
     return axis < 3 ? motion.shift.at(axis) : motion.turn.at(axis - 3);
 }
 
-BaseComponents make_motion(const SignalMotion& motion) {
+BaseComponents make_motion(const SignalMotion& motion, const std::string& /*place*/) {
     BaseComponents made;
     BaseComponent& component = component_of(made, motion.axis);
     component = std::visit([&](const auto& signal) { return make_component(signal, motion); }, motion.signal);
@@ -162,7 +163,30 @@ records::GroundMotion read_scene_record(const RecordMotion& motion) {
     }
 }
 
-BaseComponents make_motion(const RecordMotion& motion) {
+/// The record with a component that suits its axis: what is named for a turn is a rotation, or becomes one by an apparent velocity.
+records::GroundMotion find_for_axis(const records::GroundMotion& record, const RecordMotion& motion, std::size_t axis,
+                                    const std::string& place) {
+    const records::Component& component = record.find_component(*motion.components[axis]);
+    const bool rotates = records::is_rotation(component), turns = axis >= 3;
+    if (rotates == turns) return record;
+    const auto fail = [&](std::string_view why) {
+        throw SceneError(fmt::format("{}/components/{}: component {} is {}", place, kMotionAxes.at(axis), component.name, why));
+    };
+    if (rotates) fail("a rotation (the base moves along this axis); name it for rx, ry or rz");
+    if (!motion.apparent_velocity) {
+        fail("a translation (the base turns about this axis); name a rotation, or give the \"apparent_velocity\" of the waves");
+    }
+    if (axis == 3) fail("a translation (waves along x turn the ground about y and z only); name it for ry or rz");
+    records::GroundMotion turned = record;
+    for (records::Component& each : turned.components) {
+        if (each.name != component.name) continue;
+        each.series = axis == 4 ? records::find_rocking(each.series, *motion.apparent_velocity)
+                                : records::find_torsion(each.series, *motion.apparent_velocity);
+    }
+    return turned;
+}
+
+BaseComponents make_motion(const RecordMotion& motion, const std::string& place) {
     const records::GroundMotion record = read_scene_record(motion);
     const scaling::Time origin = find_time_origin(motion, record);
     records::BaseMotionSettings settings;
@@ -173,7 +197,8 @@ BaseComponents make_motion(const RecordMotion& motion) {
     BaseComponents made;
     for (std::size_t axis = 0; axis < kMotionAxes.size(); ++axis) {
         if (!motion.components[axis]) continue;
-        const records::BaseMotion base = records::make_base_motion(record, *motion.components[axis], settings);
+        const records::BaseMotion base =
+            records::make_base_motion(find_for_axis(record, motion, axis, place), *motion.components[axis], settings);
         component_of(made, axis) = to_component(base.velocity, origin);
         component_of(made, axis).source = find_source(base.record);
     }
@@ -209,7 +234,7 @@ scaling::Time TiltMotion::duration() const {
 
 BaseComponents make_base_components(const SceneMotion& motion, const std::string& place) {
     try {
-        BaseComponents made = std::visit([](const auto& source) { return make_motion(source); }, motion.source);
+        BaseComponents made = std::visit([&](const auto& source) { return make_motion(source, place); }, motion.source);
         if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
             const scaling::Similitude similitude = make_similitude(*record->scale);
             scale(made, {similitude.time(), similitude.velocity(), similitude.velocity_vertical()});

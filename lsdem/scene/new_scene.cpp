@@ -26,6 +26,10 @@ constexpr double kPrototypeFriction = 0.59;
 constexpr double kMotionDuration = 10.0, kRunDuration = 12.0;  // [s]
 constexpr double kSpineRate = 100.0, kFrameRate = 25.0;        // [1/s]
 
+/// A structure that is tilted, and how fast the prototype is [deg/s].
+constexpr const char* kTilt = "tilt";
+constexpr double kTiltRate = 0.5;
+
 /// Whole blocks in a course of the wall.
 constexpr int kBlocksPerLayer = 5;
 
@@ -129,7 +133,7 @@ Structure make_structure(const NewScene& wanted, const Triple<Length>& block, st
         wall.block = block;
         return wall;
     }
-    if (wanted.kind == "column") {
+    if (wanted.kind == "column" || wanted.kind == kTilt) {
         Column column;
         column.layers = wanted.layers.value_or(6);
         column.block = block;
@@ -170,7 +174,8 @@ std::string describe_kind(const NewScene& wanted) {
     const std::string& material = wanted.material.name;
     if (wanted.kind == "drums") return fmt::format("column of {} drums", material);
     if (wanted.kind == "mesh") return fmt::format("{} of {}", wanted.mesh->file.stem().string(), material);
-    return fmt::format("{} of {} blocks", wanted.kind == "blocks" ? "portal" : wanted.kind, material);
+    const std::string what = wanted.kind == "blocks" ? "portal" : wanted.kind == kTilt ? "tilted column" : wanted.kind;
+    return fmt::format("{} of {} blocks", what, material);
 }
 
 std::string describe_scale(double length) {
@@ -212,7 +217,7 @@ std::vector<std::string> comment_structure(const std::string& kind) {
     }
     if (kind == "drums") return {"blocks: shapes from the lowest up; two columns and a lintel: musim's examples have them"};
     if (kind == "mesh") return {"blocks: shapes from the lowest up; the stone stands on the lowest point of its file"};
-    if (kind == "column") return {block + "; b runs along x, w along y", heights};
+    if (kind == "column" || kind == kTilt) return {block + "; b runs along x, w along y", heights};
     return {"size: edges b, w, H along the block's own axes; position: its middle, z = 0 is the ground; quaternion (w, x, y, z) turns it",
             "blocks that stand on each other just touch: no gap, no overlap"};
 }
@@ -231,7 +236,7 @@ std::vector<std::string> comment_motion(const Scene& scene) {
 }  // namespace
 
 const std::vector<std::string>& new_scene_kinds() {
-    static const std::vector<std::string> kKinds{"tower", "wall", "column", "blocks", "arch", "drums", "mesh"};
+    static const std::vector<std::string> kKinds{"tower", "wall", "column", "blocks", "arch", "drums", "mesh", kTilt};
     return kKinds;
 }
 
@@ -247,8 +252,15 @@ Scene make_new_scene(const NewScene& wanted) {
     scene.structure = make_structure(wanted, block, scene.shapes);
     scene.name = describe_kind(wanted) + ", " + describe_scale(similitude.length());
     scene.material = make_material(wanted, scene.shapes.empty() && wanted.kind != "arch" ? block : reference_block(scene));
-    scene.base_motion.source = make_motion(similitude);
     scene.time.duration = rounded(similitude.to_model(kRunDuration * scaling::si::seconds), 3);
+    if (wanted.kind == kTilt) {
+        TiltMotion tilt;
+        tilt.rate = kTiltRate * scaling::kDegree / similitude.time() / scaling::si::seconds;
+        scene.time.duration = tilt.duration();
+        scene.base_motion.source = tilt;
+    } else {
+        scene.base_motion.source = make_motion(similitude);
+    }
     if (wanted.kind == "wall") scene.time.safety = kWallSafety;
     scene.output.spine_rate = rounded(similitude.to_model(kSpineRate / scaling::si::seconds), 1);
     scene.output.frame_rate = rounded(similitude.to_model(kFrameRate / scaling::si::seconds), 1);
@@ -265,7 +277,13 @@ ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene) {
                                               preset != nullptr ? preset->source : "own material"),
                                   "friction and restitution are those of the contact"};
     text.comments["/structure"] = comment_structure(wanted.kind);
-    text.comments["/base_motion"] = comment_motion(scene);
+    if (tilts(scene)) {
+        text.comments["/tilt"] = {
+            "about: the axis of the hinges, x or y; rate: slow beside sqrt(g/H); until: where it stops if nothing falls",
+            "pivot: a point of that axis, [x, y, z]; the middle of the base without it"};
+    } else {
+        text.comments["/base_motion"] = comment_motion(scene);
+    }
     text.comments["/time"] = {"step: auto takes `safety` times the critical step of the structure; or give a time"};
     text.comments["/output"] = {
         fmt::format("spine_rate: samples a second of the blocks along one edge ({} in the prototype); without it every step is kept",

@@ -69,7 +69,8 @@ TEST_CASE("a new scene of every kind and material and length obeys the schema an
                 const std::string text = write_readable_scene(made, comment_new_scene(wanted, made));
                 const json written = json::parse(text);
                 CHECK(validates(written));
-                for (const char* const part : {"", "/material", "/structure", "/base_motion", "/time", "/output"}) {
+                const char* const motion = tilts(made) ? "/tilt" : "/base_motion";
+                for (const char* const part : {"", "/material", "/structure", motion, "/time", "/output"}) {
                     CHECK(written.at(json::json_pointer(part)).contains("comment"));
                 }
                 const Scene scene = parse_scene(text);

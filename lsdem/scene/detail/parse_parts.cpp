@@ -167,7 +167,7 @@ void read_value(const JsonReader& json, WallLeaves& leaves) { read_fields(to_obj
 void read_value(const JsonReader& json, WallReturns& returns) { read_fields(to_object(json, "returns"), returns); }
 
 void read_value(const JsonReader& json, records::SampleQuantity& quantity) {
-    const std::vector<std::string> names{"acceleration", "velocity", "displacement"};
+    const std::vector<std::string> names{"acceleration", "velocity", "displacement", "angular acceleration", "angular velocity", "angle"};
     quantity = *records::find_sample_quantity(names[to_choice(json, names)]);
 }
 

@@ -74,10 +74,6 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-bool has_word(const std::vector<std::string>& words, std::string_view list) {
-    return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is_in(list, word); });
-}
-
 bool has_time_word(const std::vector<std::string>& words) {
     return words == std::vector<std::string>{"t"} || words == std::vector<std::string>{"x", "value"} || has_word(words, kTimeWords) ||
            std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.ends_with("time"); });

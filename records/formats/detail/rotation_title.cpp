@@ -16,12 +16,12 @@ constexpr std::string_view kUncertainWords = " rx ry rz rotx roty rotz rot theta
 constexpr std::string_view kRates = " rate rates ";
 constexpr std::string_view kBearings = " latitude longitude lat lon gps heading bearing course azimuth compass wind ";
 
+}  // namespace
+
 bool has_word(const std::vector<std::string>& words, std::string_view list) {
     return std::any_of(words.begin(), words.end(),
                        [&](const std::string& word) { return !word.empty() && list.find(' ' + word + ' ') != std::string_view::npos; });
 }
-
-}  // namespace
 
 RotationWords read_rotation_words(const std::vector<std::string>& words, std::optional<SampleQuantity> other) {
     const bool is_rate = has_word(words, kRateWords), is_angular = has_word(words, kAngularWords) || has_word(words, kAxisWords);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/sample_unit.hpp"
@@ -16,6 +17,9 @@ struct RotationWords {
     bool is_bearing = false;                      ///< an angle on a map or of a compass: "latitude", "heading"; no motion
     std::optional<SampleQuantity> quantity = {};  ///< angle, its rate or acceleration, where the words say which
 };
+
+/// Is one of a title's words in a list of words, each between blanks?
+bool has_word(const std::vector<std::string>& words, std::string_view list);
 
 /// Meaning of a title's words, in small letters.
 RotationWords read_rotation_words(const std::vector<std::string>& words, std::optional<SampleQuantity> other);

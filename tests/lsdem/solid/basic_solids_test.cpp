@@ -16,9 +16,9 @@ namespace {
 
 using tests::relative;
 
-using Outline = std::vector<Eigen::Vector2d>;
+using Corners2 = std::vector<Eigen::Vector2d>;
 
-const Outline kTrapezoid = {{-0.4, 0.0}, {0.4, 0.0}, {0.3, 0.5}, {-0.3, 0.5}};
+const Corners2 kTrapezoid = {{-0.4, 0.0}, {0.4, 0.0}, {0.3, 0.5}, {-0.3, 0.5}};
 
 }  // namespace
 
@@ -41,7 +41,7 @@ TEST_CASE("a tapered prism is a frustum about the origin of its outline") {
 }
 
 TEST_CASE("a prism of a rectangle is the box") {
-    const Outline rectangle = {{-0.5, -0.25}, {0.5, -0.25}, {0.5, 0.25}, {-0.5, 0.25}};
+    const Corners2 rectangle = {{-0.5, -0.25}, {0.5, -0.25}, {0.5, 0.25}, {-0.5, 0.25}};
     const Solid prism = make_prism(rectangle, 2.0), box = make_box_solid({1.0, 0.5, 2.0});
     for (const Polyhedron::Face& face : prism.pieces.front().faces) {
         bool found = false;
@@ -51,7 +51,7 @@ TEST_CASE("a prism of a rectangle is the box") {
 }
 
 TEST_CASE("outlines that bound no convex area are refused, with the corner") {
-    const auto refused = [](const Outline& outline, const char* message) {
+    const auto refused = [](const Corners2& outline, const char* message) {
         CHECK_THROWS_WITH_AS(make_prism(outline, 1.0), message, std::invalid_argument);
     };
     refused({{0, 0}, {1, 0}}, "outline of a prism: it has 2 corners; three or more are needed");
@@ -60,7 +60,7 @@ TEST_CASE("outlines that bound no convex area are refused, with the corner") {
     refused({{0, 0}, {1, 0}, {2, 0}, {1, 2}}, "outline of a prism: corner 1 lies within a straight side; leave it out");
     refused({{0, 0}, {2, 0}, {2, 1}, {2, 1}}, "outline of a prism: corners 2 and 3 are one");
     refused({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, "outline of a prism: it turns back at corner 1");
-    Outline star;
+    Corners2 star;
     for (int i = 0; i < 5; ++i) star.emplace_back(std::cos(0.8 * std::numbers::pi * i), std::sin(0.8 * std::numbers::pi * i));
     refused(star, "outline of a prism: its sides cross");
     CHECK_THROWS_WITH_AS(make_prism(kTrapezoid, 0.0), "the length of a prism must be positive", std::invalid_argument);
