@@ -21,7 +21,7 @@ using scaling::si::seconds;
 using tests::kPulsePeak;
 using tests::read_shape;
 
-bool history_says(const GroundMotion& motion, std::string_view text) {
+bool history_tells(const GroundMotion& motion, std::string_view text) {
     for (const std::string& line : motion.history)
         if (line.find(text) != std::string::npos) return true;
     return false;
@@ -71,7 +71,7 @@ TEST_CASE("columns of rotations are components beside accelerations") {
     CHECK(motion.components[1].series.quantity() == SampleQuantity::acceleration);
     CHECK(motion.components[2].series.quantity() == SampleQuantity::angular_velocity);
     CHECK(find_largest(motion.components[3].series.samples()) == doctest::Approx(60.0 * kDegree * kPulsePeak).epsilon(1e-5));
-    CHECK(history_says(motion, "as acceleration and angular velocity in g, deg/s"));
+    CHECK(history_tells(motion, "as acceleration and angular velocity in g, deg/s"));
 
     for (const auto& row :
          std::vector<std::pair<std::string, SampleQuantity>>{{"rx (rad)", SampleQuantity::angle},
@@ -87,7 +87,7 @@ TEST_CASE("columns of rotations are components beside accelerations") {
         const GroundMotion alone = read_shape(tests::table("Time (s)," + row.first + "\n", {1.0}));
         REQUIRE(alone.components.size() == 1);
         CHECK(alone.components[0].series.quantity() == row.second);
-        CHECK_FALSE(history_says(alone, kUnitNotGiven));
+        CHECK_FALSE(history_tells(alone, kUnitNotGiven));
     }
 }
 
@@ -111,8 +111,8 @@ TEST_CASE("rotations are read with as many derivatives as the translations besid
 TEST_CASE("a rotation without a unit is left out beside accelerations and refused alone") {
     const GroundMotion beside = read_shape(tests::table("Time (s),Acc x (g),gyro x,roll\n", {1.0, 0.1, 0.2}));
     CHECK(beside.component_names() == "Acc x");
-    CHECK(history_says(beside, "column 3 'gyro x' is left out"));
-    CHECK(history_says(beside, "column 4 'roll' is left out (a rotation that names no unit)"));
+    CHECK(history_tells(beside, "column 3 'gyro x' is left out"));
+    CHECK(history_tells(beside, "column 4 'roll' is left out (a rotation that names no unit)"));
     const std::string alone = tests::table("Time (s),rx,ry\n", {1.0, 0.1});
     tests::check_refused(alone, "column 2 'rx' is a rotation that names no unit (rad, deg, rad/s, deg/s, rad/s^2, ...)");
     tests::check_refused(tests::table("Time (s),Acc x (g),gyro x\n", {1.0, 0.1}), "column 3 'gyro x' is a rotation that names no unit",
@@ -133,7 +133,7 @@ TEST_CASE("units of lengths for rotations, and of rotations for lengths, are ref
     tests::check_refused(tests::table("Time (s),Displacement x (deg)\n", {1.0}), "names the unit 'deg'");
     const GroundMotion motion = read_shape(tests::table("Time (s),Acc x (g),Latitude (deg),Heading (°)\n", {1.0, 0.1, 0.2}));
     CHECK(motion.component_names() == "Acc x");
-    CHECK(history_says(motion, "column 3 'Latitude (deg)' is left out (a bearing)"));
+    CHECK(history_tells(motion, "column 3 'Latitude (deg)' is left out (a bearing)"));
     const GroundMotion noted = read_shape(tests::table("# azimuth 30 (deg)\n# acceleration in g\n", {1.0, 0.1}, ' '));
     CHECK(noted.components.size() == 2);
     CHECK(noted.components[0].series.quantity() == SampleQuantity::acceleration);
