@@ -53,6 +53,13 @@ double find_cost(const WholeMotion& motion, const TimeWindow& window, bool home)
     return of_velocity / motion.peak_velocity + of_displacement / motion.peak_displacement;
 }
 
+/// The component whose strong motion counts: the first translation, or rotation where there is none.
+const Component& find_leading(const GroundMotion& motion, const std::vector<std::string>& components) {
+    const auto moves = [&](const std::string& name) { return !is_rotation(motion.find_component(name)); };
+    const auto first = std::find_if(components.begin(), components.end(), moves);
+    return motion.find_component(first == components.end() ? components.front() : *first);
+}
+
 /// Times from `from` to `to`, on samples of `series`.
 std::vector<scaling::Time> list_places(const TimeSeries& series, scaling::Time from, scaling::Time to) {
     const double first = std::ceil(((from - series.start()) / series.dt()).value() - 1e-9);
@@ -70,8 +77,10 @@ TimeWindow find_base_window(const GroundMotion& motion, const std::vector<std::s
     std::vector<WholeMotion> motions;
     for (const std::string& name : components) motions.emplace_back(make_base_motion(motion, name, whole));
 
-    const TimeSeries& series = motion.find_component(components.front()).series;
-    const TimeWindow strong = find_strong_motion(level_uncorrected(series, motion.integration_corner), 0.0);
+    const TimeSeries& series = find_leading(motion, components).series;
+    TimeSeries leveled = level_uncorrected(series, motion.integration_corner);
+    while (derivative_order(leveled.quantity()) < 2) leveled = differentiate(leveled);
+    const TimeWindow strong = find_strong_motion(leveled, 0.0);
     const scaling::Time reach = kWindowReach * (strong.end - strong.start);
     scaling::Time earliest = strong.start - reach, latest = strong.end + reach;
     for (const WholeMotion& each : motions) {
