@@ -41,12 +41,13 @@ std::string_view find_format(const RecordOutputOptions& options) {
                     options.format.empty() ? "add --format " : "write "));
 }
 
-/// PEER files have an extension for each quantity, by which others take them for that.
+/// PEER files have an extension for each quantity of translations, by which others take them for that.
 void refuse_wrong_extension(const std::string& file, const records::Component& component) {
     constexpr std::array<std::pair<records::SampleQuantity, std::string_view>, 3> kExtensions{
         {{records::SampleQuantity::acceleration, "at2"},
          {records::SampleQuantity::velocity, "vt2"},
          {records::SampleQuantity::displacement, "dt2"}}};
+    records::refuse_rotation(file, component, "PEER files");
     const std::string extension = find_extension(file);
     for (const auto& [quantity, own] : kExtensions) {
         if (quantity == component.series.quantity() || extension != own) continue;
