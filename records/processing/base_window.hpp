@@ -14,8 +14,8 @@ inline constexpr double kWindowReach = 0.5;
 inline constexpr double kCheapWindow = 0.02;
 
 /// The window of a record that is to shake a base: it holds the strong motion (find_strong_motion() without margin, of the first
-/// component that is a translation, or the first; differentiated where it is no acceleration) and opens and closes within kWindowReach of it. Taken is the shortest that costs at most kCheapWindow, or the cheapest where
-/// none does.
+/// component that is a translation, or the first; differentiated where it is no acceleration) and opens and closes within kWindowReach of
+/// it. Taken is the shortest that costs at most kCheapWindow, or the cheapest where none does.
 ///
 /// The cost of a window is what its correction to rest takes from the velocity and the displacement, each over its peak in the record, of
 /// the component for which their sum is largest; the displacement counts from the record's own zero, so that windows open where the record

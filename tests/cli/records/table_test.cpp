@@ -225,12 +225,13 @@ TEST_CASE("a table may end displaced, and does not take a motion that never stop
     CHECK_FALSE(here.has("no.csv"));
 }
 
-TEST_CASE("a rotation of a table is refused by name") {
+TEST_CASE("rotations and translations with the same limits are refused in one line") {
     const Workplace here;
     here.write("tilting.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x", "pitch"], "velocity": "1 m/s"}]})");
     const Outcome axis = here.run("table synthetic --limits tilting.json --length 1/25");
     CHECK(axis.exit_code == 3);
-    CHECK(axis.err.find("\"pitch\" is a rotation (a table's axes are translations here); leave it out") != std::string::npos);
+    CHECK(axis.has_one_error_line());
+    CHECK(axis.err.find("names are of translations and of rotations (their limits have other units)") != std::string::npos);
 }
 
 TEST_CASE("wrong input to table is reported in one line") {
