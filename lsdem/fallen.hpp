@@ -11,8 +11,8 @@ inline constexpr double kFallenDrop = 0.25;
 
 /// Has a block fallen: sunk by more than a quarter of its height at the start, or turned by more than 45° from its upright at the start?
 ///
-/// `height`: from its lowest to its highest point at the start [m]; `start`, `now`: body to world; `sunk`: relative to the base since the
-/// start [m].
+/// `height`: from its lowest to its highest point at the start [m]; `start`: body to world; `now`: body to the base, turned back to where
+/// it was at the start; `sunk`: seen from the base, since the start [m].
 inline bool has_fallen(double height, const Matrix3& start, const Matrix3& now, double sunk) {
     return sunk > kFallenDrop * height || now.row(2).dot(start.row(2)) < std::numbers::sqrt2 / 2.0;
 }

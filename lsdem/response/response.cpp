@@ -9,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lsdem/results/base_frame.hpp"
 #include "lsdem/results/summary.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -34,7 +35,8 @@ std::array<std::size_t, 2> find_samples(const StoredRun& run, const ResponseSett
     return {static_cast<std::size_t>(first - time.begin()), static_cast<std::size_t>(last - time.begin())};
 }
 
-/// The spine's velocities from the lowest level up; of blocks at one height only the first, as in a list of blocks side by side.
+/// The spine's velocities from the lowest level up, without those by which the base turns it; of blocks at one height only the first, as in
+/// a list of blocks side by side.
 Receivers make_receivers(const StoredRun& run, int axis, const std::array<std::size_t, 2>& samples) {
     const History& history = run.history;
     const std::size_t ns = run.spine.size();
@@ -47,7 +49,11 @@ Receivers make_receivers(const StoredRun& run, int axis, const std::array<std::s
         if (!receivers.height.empty() && height - receivers.height.back() < apart) continue;
         receivers.height.push_back(height);
         receivers.velocity.emplace_back();
-        for (std::size_t k = samples[0]; k < samples[1]; ++k) receivers.velocity.back().push_back(history.spine_velocity[k * ns + s][axis]);
+        for (std::size_t k = samples[0]; k < samples[1]; ++k) {
+            const std::size_t at = k * ns + s;
+            receivers.velocity.back().push_back(
+                find_unturned_velocity(history.base[k], history.spine_position[at], history.spine_velocity[at])[axis]);
+        }
     }
     return receivers;
 }

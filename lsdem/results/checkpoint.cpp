@@ -33,7 +33,9 @@ static void exchange(Archive& archive, Release& r) { archive(r.block, r.position
 
 static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
-static void exchange(Archive& archive, BaseState& b) { archive(b.displacement, b.velocity, b.acceleration); }
+static void exchange(Archive& archive, BaseState& b) {
+    archive(b.displacement, b.velocity, b.acceleration, b.turn, b.turn_rates.velocity, b.turn_rates.acceleration, b.pivot);
+}
 
 }  // namespace musim::lsdem
 
@@ -98,7 +100,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 16, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 17, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "lsdem/fallen.hpp"
+#include "lsdem/results/base_frame.hpp"
 #include "scaling/angle.hpp"
 
 namespace musim::lsdem {
@@ -37,10 +38,10 @@ std::vector<Standing> find_standing(const RunData& run) {
     return standing;
 }
 
-/// Where a point that belongs to a block at the start lies at the end.
-Vector3 carry(const RunData& run, std::size_t block, const Vector3& point) {
+/// Where a point that belongs to a block at the start lies at the end, `base` turned back.
+Vector3 carry(const RunData& run, const BaseState& base, std::size_t block, const Vector3& point) {
     const Vector3 body = run.initial.orientation[block].conjugate() * (point - run.initial.position[block]);
-    return run.final.position[block] + run.final.orientation[block] * body;
+    return turn_back(base, run.final.position[block]) + turn_back(base, run.final.orientation[block]) * body;
 }
 
 /// The middle of the part of two faces that lies on both; nothing when they do not meet.
@@ -55,7 +56,7 @@ bool find_meeting(const Standing& upper, const Standing& lower, Vector3& middle)
     return true;
 }
 
-std::vector<Joint> find_joints(const RunData& run, const std::vector<Standing>& standing, const Vector3& base) {
+std::vector<Joint> find_joints(const RunData& run, const std::vector<Standing>& standing, const BaseState& base) {
     const double ground = run.origin ? run.origin->base.z() : 0.0;
     // tops in order, so that only those at the right height are looked at
     std::vector<std::pair<double, std::size_t>> tops;
@@ -71,12 +72,12 @@ std::vector<Joint> find_joints(const RunData& run, const std::vector<Standing>& 
         for (; at != tops.end() && at->first <= block.bottom() + gap; ++at) {
             Vector3 middle;
             if (at->second == upper || !find_meeting(block, standing[at->second], middle)) continue;
-            const Vector3 apart = carry(run, upper, middle) - carry(run, at->second, middle);
+            const Vector3 apart = carry(run, base, upper, middle) - carry(run, base, at->second, middle);
             joints.push_back({upper, at->second, false, apart.head<2>().norm()});
         }
         if (joints.size() == before && std::abs(block.bottom() - ground) <= gap) {
             const Vector3 middle(block.center.x(), block.center.y(), block.bottom());
-            joints.push_back({upper, 0, true, (carry(run, upper, middle) - middle - base).head<2>().norm()});
+            joints.push_back({upper, 0, true, (carry(run, base, upper, middle) - middle - base.displacement).head<2>().norm()});
         }
     }
     return joints;
@@ -150,7 +151,7 @@ double find_tilt(const Quaternion& orientation) {
 
 Damage assess_damage(const RunData& run) {
     const std::vector<Standing> standing = find_standing(run);
-    const Vector3 base = run.history.base.back().displacement;
+    const BaseState& base = run.history.base.back();
     Damage damage;
     damage.joints = find_joints(run, standing, base);
     damage.blocks = standing.size();
@@ -160,11 +161,12 @@ Damage assess_damage(const RunData& run) {
     std::map<int, LevelSums> levels;
     double squares = 0.0;
     for (std::size_t b = 0; b < standing.size(); ++b) {
-        const Vector3 moved = run.final.position[b] - run.initial.position[b] - base;
-        const Eigen::AngleAxisd rotation(run.final.orientation[b] * run.initial.orientation[b].conjugate());
+        const Vector3 moved = find_moved(base, run.initial.position[b], run.final.position[b]);
+        const Quaternion at_end = turn_back(base, run.final.orientation[b]);
+        const Eigen::AngleAxisd rotation(at_end * run.initial.orientation[b].conjugate());
         const bool fallen = run.fell_before(b) || (!run.falls.is_airborne(b) &&
                                                    has_fallen(standing[b].extent().z(), run.initial.orientation[b].toRotationMatrix(),
-                                                              run.final.orientation[b].toRotationMatrix(), -moved.z()));
+                                                              at_end.toRotationMatrix(), -moved.z()));
         const Vector3 extent = standing[b].extent();
         const double side = std::min(extent.x(), extent.y());
         const double corner = 0.5 * std::hypot(extent.x(), extent.y()) * rotation.angle();
@@ -177,7 +179,7 @@ Damage assess_damage(const RunData& run) {
         sums.squares += index * index;
         sums.displacement.add(moved.head<2>().norm());
         sums.initial_tilt.add(find_tilt(run.initial.orientation[b]));
-        sums.final_tilt.add(find_tilt(run.final.orientation[b]));
+        sums.final_tilt.add(find_tilt(at_end));
         sums.rotation.add(rotation.angle());
         sums.turn.add(std::abs(rotation.angle() * rotation.axis().z()));
         squares += index * index;

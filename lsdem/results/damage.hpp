@@ -68,7 +68,8 @@ struct Damage {
 /// Angle of a block's own z axis with the vertical [rad].
 double find_tilt(const Quaternion& orientation);
 
-/// Compares the end of a run with its start. Blocks count as fallen by has_fallen: sunk by a quarter of their height, or tilted by 45°; or
+/// Compares the end of a run with its start, both seen from the base: on a ground that turned, horizontal and vertical are along it and
+/// across it. Blocks count as fallen by has_fallen: sunk by a quarter of their height, or tilted by 45°; or
 /// when they fell before a run that was not shaken for it (RunData::fell_before). Blocks that begin in the air (Falls::airborne)
 /// do not fall. Fixed blocks count like others.
 Damage assess_damage(const RunData& run);

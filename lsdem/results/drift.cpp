@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "lsdem/results/base_frame.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -87,10 +89,7 @@ Drift find_drift(const RunData& run, const std::vector<DriftPair>& pairs, std::s
 }
 
 Vector3 find_shift(const RunData& run, std::size_t spine_block, std::size_t sample) {
-    const History& h = run.history;
-    const std::size_t n = run.spine.size();
-    Vector3 shift = h.spine_position[sample * n + spine_block] - h.spine_position[spine_block] -
-                    (h.base[sample].displacement - h.base.front().displacement);
+    Vector3 shift = find_moved(run, spine_block, sample);
     shift.z() = 0.0;
     return shift;
 }

@@ -22,12 +22,12 @@ std::vector<DriftPair> find_drift_pairs(const RunData& run);
 
 /// Largest |Δu|/Δz of the pairs at a sample, and the place of its upper block.
 struct Drift {
-    double value = 0.0;  ///< Δu: horizontal, of displacements since the start, that of the base included [-]
+    double value = 0.0;  ///< Δu: horizontal, of displacements since the start, seen from the base [-]
     std::size_t upper = 0;
 };
 Drift find_drift(const RunData& run, const std::vector<DriftPair>& pairs, std::size_t sample);
 
-/// Horizontal displacement of a block of the spine relative to the base since the start [m].
+/// Horizontal displacement of a block of the spine since the start, seen from the base [m].
 Vector3 find_shift(const RunData& run, std::size_t spine_block, std::size_t sample);
 
 }  // namespace musim::lsdem

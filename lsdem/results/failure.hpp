@@ -30,7 +30,7 @@ inline constexpr double kEndOfTower = 0.1;
 inline constexpr double kLeastBulge = 0.1;
 
 /// Measures that decide the modes, all without dimension. With e the horizontal unit vector from the tower's axis (through its centre of
-/// mass at the start) to a block's place at the start, and d the block's displacement relative to the base,
+/// mass at the start) to a block's place at the start, and d the block's displacement seen from the base,
 ///
 ///   u = e·d (outward),   w = −d_z (down),   b the shorter horizontal side of the block;
 ///

@@ -27,7 +27,7 @@ struct History {
     std::vector<BaseState> base;          ///< of the ground
     std::vector<Vector3> spine_position;  ///< centres of mass [m]
     std::vector<Vector3> spine_velocity;  ///< [m/s]
-    std::vector<Vector3> spine_rotation;  ///< rotation vector from the start to now [rad]
+    std::vector<Vector3> spine_rotation;  ///< rotation vector from the start to now, seen from the base [rad]
     std::vector<Energy> energy;           ///< [J]
 
     std::size_t samples() const { return time.size(); }
@@ -45,7 +45,7 @@ struct Frames {
 };
 
 /// When blocks fell, and where they were then (has_fallen), seen at the samples; one entry per block. Displacements are from the start,
-/// relative to the base, world frame. In a later stage of a sequence the start is that of the first one (StageOrigin).
+/// seen from the base. In a later stage of a sequence the start is that of the first one (StageOrigin).
 struct Falls {
     std::vector<double> time;           ///< first sample at which the block had fallen [s], ≤ 0: in an earlier stage; NaN while it stands
     std::vector<Vector3> displacement;  ///< of its centre of mass then [m]; likewise

@@ -7,16 +7,16 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "lsdem/results/base_frame.hpp"
+
 namespace musim::lsdem {
 namespace {
 
 std::vector<LevelSample> measure_block(const RunData& run, std::size_t spine_block) {
     const History& history = run.history;
-    const std::size_t spine = run.spine.size();
     std::vector<LevelSample> samples(history.samples());
     for (std::size_t k = 0; k < samples.size(); ++k) {
-        const Vector3 moved = history.spine_position[k * spine + spine_block] - history.spine_position[spine_block] -
-                              (history.base[k].displacement - history.base.front().displacement);
+        const Vector3 moved = find_moved(run, spine_block, k);
         const auto length = [&](double value) { return run.similitude.to_prototype(scaling::Length::from_value(value)); };
         samples[k] = {run.similitude.to_prototype(scaling::Time::from_value(history.time[k])), length(moved.x()), length(moved.y()),
                       length(moved.z())};

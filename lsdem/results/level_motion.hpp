@@ -10,7 +10,8 @@ namespace musim::lsdem {
 /// Where a block was at an instant.
 struct LevelSample {
     scaling::Time time{};
-    scaling::Length x{}, y{}, z{};  ///< displacement of its centre of mass since the start, relative to the base, in the world frame
+    scaling::Length x{}, y{},
+        z{};  ///< displacement of its centre of mass since the start, seen from the base: along the world's axes at t = 0
 };
 
 /// Motion of the spine's block of a level against the base, sample by sample, in the prototype's units: times over λ_t, lengths over λ_l.

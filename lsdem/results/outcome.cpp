@@ -6,6 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "lsdem/results/base_frame.hpp"
 #include "lsdem/results/drift.hpp"
 #include "lsdem/results/spine_measures.hpp"
 #include "scaling/angle.hpp"
@@ -33,7 +34,8 @@ void measure_spine(const RunResult& run, Outcome& outcome) {
     outcome.top_name = name_listed(run, top);
     double fastest = 0.0;
     for (std::size_t k = 0; k < run.history.samples(); ++k) {
-        const Vector3 velocity = run.history.spine_velocity[k * run.spine.size() + top] - run.history.base[k].velocity;
+        const std::size_t at = k * run.spine.size() + top;
+        const Vector3 velocity = find_velocity_on_base(run.history.base[k], run.history.spine_position[at], run.history.spine_velocity[at]);
         outcome.top_speed = velocity.head<2>().norm();
         fastest = std::max(fastest, outcome.top_speed);
         outcome.top_residual = find_shift(run, top, k).norm();
@@ -83,6 +85,7 @@ Outcome find_outcome(const RunResult& run) {
     outcome.pga = run.peak_base_acceleration;
     outcome.base_changes = run.base_changes;
     for (const BaseState& base : run.history.base) outcome.pgv = outcome.pgv.cwiseMax(base.velocity.cwiseAbs());
+    outcome.base_turn = find_base_turn(run.history);
     outcome.shaken = !run.collapsed_before();
     measure_spine(run, outcome);
     const Damage damage = assess_damage(run);
@@ -106,6 +109,7 @@ Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
         scale_back(outcome.base_changes, {horizontal, horizontal, vertical},
                    {similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()}, {displacement, displacement, rise});
     outcome.pgv = outcome.pgv.cwiseQuotient(Vector3(similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()));
+    if (outcome.base_turn) outcome.base_turn->rate /= similitude.frequency();
     outcome.top_peak /= similitude.length();
     outcome.top_residual /= similitude.length();
     outcome.top_speed /= similitude.velocity();
@@ -125,6 +129,10 @@ std::vector<std::string> describe(const Outcome& outcome) {
         const bool has_peaks = change && change->of_record;
         lines.push_back(fmt::format("base motion along {}: {}{}", axis_name(axis), describe_base(outcome.pga[axis], change),
                                     has_peaks ? "" : ", PGV " + write<scaling::Velocity>(outcome.pgv[axis])));
+    }
+    if (const auto& turn = outcome.base_turn) {
+        lines.push_back(fmt::format("base turned by up to {:.4g} deg ({:.4g} deg at the end), at up to {:.3g} deg/s",
+                                    turn->angle / scaling::kDegree, turn->angle_at_end / scaling::kDegree, turn->rate / scaling::kDegree));
     }
     if (lines.empty()) lines.emplace_back("base at rest");
     if (outcome.top_level > 0) {
@@ -162,17 +170,23 @@ nlohmann::json to_json(const Outcome& outcome) {
                          {"moves_at_end", outcome.top_moves}},
                         outcome.top_name);
     }
-    return {{"axis", axis_name(outcome.axis)},
-            {"pga_g", {pga.x(), pga.y(), pga.z()}},
-            {"base_changes", to_json(outcome.base_changes)},
-            {"pgv_m_s", {outcome.pgv.x(), outcome.pgv.y(), outcome.pgv.z()}},
-            {"shaken", outcome.shaken},
-            {"top", top},
-            {"drift", with_name({{"largest", outcome.drift}, {"level", outcome.drift_level}}, outcome.drift_name)},
-            {"largest_slip", write_largest(outcome.slip, "m", 1.0)},
-            {"largest_rotation", write_largest(outcome.rotation, "deg", scaling::kDegree)},
-            {"fallen", outcome.fallen},
-            {"blocks", outcome.blocks}};
+    nlohmann::json json{{"axis", axis_name(outcome.axis)},
+                        {"pga_g", {pga.x(), pga.y(), pga.z()}},
+                        {"base_changes", to_json(outcome.base_changes)},
+                        {"pgv_m_s", {outcome.pgv.x(), outcome.pgv.y(), outcome.pgv.z()}},
+                        {"shaken", outcome.shaken},
+                        {"top", top},
+                        {"drift", with_name({{"largest", outcome.drift}, {"level", outcome.drift_level}}, outcome.drift_name)},
+                        {"largest_slip", write_largest(outcome.slip, "m", 1.0)},
+                        {"largest_rotation", write_largest(outcome.rotation, "deg", scaling::kDegree)},
+                        {"fallen", outcome.fallen},
+                        {"blocks", outcome.blocks}};
+    if (const auto& turn = outcome.base_turn) {
+        json["base_turn"] = {{"largest_deg", turn->angle / scaling::kDegree},
+                             {"at_end_deg", turn->angle_at_end / scaling::kDegree},
+                             {"largest_rate_deg_s", turn->rate / scaling::kDegree}};
+    }
+    return json;
 }
 
 }  // namespace musim::lsdem

@@ -10,6 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lsdem/results/base_frame.hpp"
+#include "lsdem/rotation.hpp"
+
 namespace musim::lsdem::detail {
 namespace {
 
@@ -44,7 +47,44 @@ Polyhedron make_piece(const ShapeLists& lists, std::size_t begin, std::size_t en
     return piece;
 }
 
+/// The turn of each sample as a rotation vector, at most half a turn [rad], and its rates.
+struct TurnColumns {
+    std::vector<Vector3> turn, velocity, acceleration;
+};
+
+template <class File, class Columns>
+void exchange_turn(File& file, std::size_t samples, Columns& columns, std::vector<Vector3>& pivot) {
+    file.exchange("/base/turn", {samples}, columns.turn, "rad");
+    file.exchange("/base/angular_velocity", {samples}, columns.velocity, "rad/s");
+    file.exchange("/base/angular_acceleration", {samples}, columns.acceleration, "rad/s^2");
+    file.exchange("/base/pivot", {1}, pivot, "m");
+}
+
 }  // namespace
+
+void exchange_base_turn(Hdf5File& file, const std::vector<BaseState>& base) {
+    if (std::none_of(base.begin(), base.end(), turns)) return;
+    TurnColumns columns;
+    for (const BaseState& state : base) {
+        columns.turn.push_back(rotation_vector(Quaternion::Identity(), state.turn));
+        columns.velocity.push_back(state.turn_rates.velocity);
+        columns.acceleration.push_back(state.turn_rates.acceleration);
+    }
+    std::vector<Vector3> pivot{base.front().pivot};
+    exchange_turn(file, base.size(), columns, pivot);
+}
+
+void exchange_base_turn(const Hdf5Reader& file, std::vector<BaseState>& base) {
+    if (!file.has("/base/turn")) return;
+    TurnColumns columns;
+    std::vector<Vector3> pivot;
+    exchange_turn(file, base.size(), columns, pivot);
+    for (std::size_t k = 0; k < base.size(); ++k) {
+        base[k].turn = turn_by(columns.turn[k]);
+        base[k].turn_rates = {columns.velocity[k], columns.acceleration[k]};
+        base[k].pivot = pivot[0];
+    }
+}
 
 ShapeLists ShapeLists::of(const BlockShape& shape) {
     ShapeLists lists;

@@ -32,11 +32,16 @@ inline void exchange_layers(const Hdf5Reader& file, const std::string& path, hsi
     if (layers.size() != count) file.fail(path + " has another size than the rest");
 }
 
+/// Turn of the base, where it turns.
+void exchange_base_turn(Hdf5File& file, const std::vector<BaseState>& base);
+void exchange_base_turn(const Hdf5Reader& file, std::vector<BaseState>& base);
+
 template <class File, class Base>
 void exchange_base(File& file, Base& base) {
     exchange_member(file, "/base/displacement", base, &BaseState::displacement, "m");
     exchange_member(file, "/base/velocity", base, &BaseState::velocity, "m/s");
     exchange_member(file, "/base/acceleration", base, &BaseState::acceleration, "m/s^2");
+    exchange_base_turn(file, base);
 }
 
 template <class File, class Run>

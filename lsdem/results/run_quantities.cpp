@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "lsdem/results/base_frame.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -24,12 +26,9 @@ std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling:
     const std::size_t spine = run.spine.size(), last = h.samples() - 1;
     const double length = similitude.length(), velocity = similitude.velocity(), energy = similitude.energy();
     const auto speed = [&](std::size_t s, std::size_t k) {
-        return (h.spine_velocity[k * spine + s] - h.base[k].velocity).norm() / velocity;
+        return find_velocity_on_base(h.base[k], h.spine_position[k * spine + s], h.spine_velocity[k * spine + s]).norm() / velocity;
     };
-    const auto displacement = [&](std::size_t s, std::size_t k) {
-        const Vector3 moved = h.spine_position[k * spine + s] - h.spine_position[s] - h.base[k].displacement;
-        return moved.head<2>().norm() / length;
-    };
+    const auto displacement = [&](std::size_t s, std::size_t k) { return find_moved(run, s, k).head<2>().norm() / length; };
     const auto rotation = [&](std::size_t s, std::size_t k) { return h.spine_rotation[k * spine + s].norm(); };
 
     std::vector<QuantityFamily> families;

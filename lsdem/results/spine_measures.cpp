@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lsdem/results/base_frame.hpp"
+
 namespace musim::lsdem {
 
 int find_strongest_axis(const History& history) {
@@ -27,7 +29,7 @@ std::vector<SpineLevel> measure_spine(const RunData& run, int axis) {
         if (run.blocks.is_listed()) level.name = run.blocks.label(run.spine.block[s]);
         level.height = history.spine_position[s].z();
         for (std::size_t k = 0; k < history.samples(); ++k) {
-            const Vector3 moved = history.spine_position[k * ns + s] - history.spine_position[s] - history.base[k].displacement;
+            const Vector3 moved = find_moved(run, s, k);
             const Vector3& turned = history.spine_rotation[k * ns + s];
             level.residual_displacement = moved;
             level.peak_displacement = level.peak_displacement.cwiseMax(moved.cwiseAbs());

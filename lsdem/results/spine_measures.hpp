@@ -8,7 +8,7 @@
 /// Motion of the spine of a run, level by level.
 namespace musim::lsdem {
 
-/// One level of the spine. Displacements relative to the base, rotations relative to the start.
+/// One level of the spine. Displacements and rotations since the start, seen from the base.
 struct SpineLevel {
     int level = 0;                                    ///< of several listed blocks it may be the same
     std::string name = {};                            ///< of a listed block, see BlockTable::label; else empty

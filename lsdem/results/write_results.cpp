@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lsdem/results/base_frame.hpp"
 #include "lsdem/results/checked_json.hpp"
 #include "lsdem/results/checksum.hpp"
 #include "lsdem/results/result_layout.hpp"
@@ -49,15 +50,22 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     return file.image();
 }
 
-/// Time, base velocity and the velocity of every spine block, in SI; each number reads back as the same double.
+/// Time, base velocity and the velocity of every spine block, in SI; each number reads back as the same double. Where the base turns, its
+/// angular velocity too.
 std::string make_spine_csv(const RunResult& run) {
+    const bool turns = find_base_turn(run.history).has_value();
     std::string csv = "time_s,base_vx_m_s,base_vy_m_s,base_vz_m_s";
+    if (turns) csv += ",base_wx_rad_s,base_wy_rad_s,base_wz_rad_s";
     for (const std::string& head : head_spine(run)) fmt::format_to(std::back_inserter(csv), ",{0}_vx_m_s,{0}_vy_m_s,{0}_vz_m_s", head);
     csv += '\n';
     const std::size_t ns = run.spine.size();
     for (std::size_t k = 0; k < run.history.samples(); ++k) {
         const Vector3& base = run.history.base[k].velocity;
         fmt::format_to(std::back_inserter(csv), "{},{},{},{}", run.history.time[k], base.x(), base.y(), base.z());
+        if (turns) {
+            const Vector3& w = run.history.base[k].turn_rates.velocity;
+            fmt::format_to(std::back_inserter(csv), ",{},{},{}", w.x(), w.y(), w.z());
+        }
         for (std::size_t s = 0; s < ns; ++s) {
             const Vector3& v = run.history.spine_velocity[k * ns + s];
             fmt::format_to(std::back_inserter(csv), ",{},{},{}", v.x(), v.y(), v.z());

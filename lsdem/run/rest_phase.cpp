@@ -42,7 +42,7 @@ RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, co
     SettlingWatch observer;
     observer.on_progress = watch.on_progress;
     observer.give_up = [&] {
-        note_falls(run, now, state.clock + now.time(), base_moved());
+        note_falls(run, now, state.clock + now.time(), BaseState{base_moved()});
         return run.collapse_time.has_value();
     };
     observer.on_state = [&](const SettlingState& settled) {

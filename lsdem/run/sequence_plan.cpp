@@ -81,6 +81,12 @@ SequencePlan plan_sequence(const Scene& scene, Sampling sampling) {
                             .plan = {}};
         stage.motion =
             make_base_components(stage.scene.base_motion, fmt::format("{}: /motions/{}/base_motion", scene.place(), scenes[k].entry));
+        if (stage.motion.turns()) {
+            throw SceneError(
+                fmt::format("{}: /motions/{}: turns the base (in a list of motions each begins where the one before left the "
+                            "base, which only slides there); take its turn out, or run it as a scene of its own",
+                            scene.place(), scenes[k].entry));
+        }
         plan.stages.push_back(std::move(stage));
     }
     // one step for all, that fits the samples of the shortest

@@ -11,6 +11,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
+#include "lsdem/results/base_frame.hpp"
 #include "lsdem/rotation.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
 #include "lsdem/run/drawn_places.hpp"
@@ -55,26 +56,27 @@ void note_falls_before(const Specimen& specimen, const Rest& rest, RunResult& ru
     }
 }
 
-/// Has a block fallen since falls are counted? `base`: how far the base has risen since the start of the run [m].
-bool has_fallen_now(const RunResult& run, const Simulation& simulation, std::size_t b, double base) {
+/// Has a block fallen since falls are counted? `base`: since the start of the run.
+bool has_fallen_now(const RunResult& run, const Simulation& simulation, std::size_t b, const BaseState& base) {
     const Quaternion& start = run.origin ? run.origin->orientation[b] : run.initial.orientation[b];
-    const double risen = base + (run.origin ? run.origin->base.z() : 0.0);
-    const double sunk = (run.standing_position()[b].z() - simulation.position(b).z()) + risen;
+    const double risen = base.displacement.z() + (run.origin ? run.origin->base.z() : 0.0);
+    const double sunk = (run.standing_position()[b].z() - turn_back(base, simulation.position(b)).z()) + risen;
     const double height = run.blocks.find_reach(b, start).extent().z();
-    return has_fallen(height, start.toRotationMatrix(), simulation.orientation(b).toRotationMatrix(), sunk);
+    return has_fallen(height, start.toRotationMatrix(), turn_back(base, simulation.orientation(b)).toRotationMatrix(), sunk);
 }
 
 void add_sample(RunResult& run, const Simulation& simulation) {
     History& history = run.history;
+    const BaseState base = simulation.base();
     history.time.push_back(simulation.time());
-    history.base.push_back(simulation.base());
+    history.base.push_back(base);
     history.energy.push_back(simulation.energy());
     for (const std::size_t block : run.spine.block) {
         history.spine_position.push_back(simulation.position(block));
         history.spine_velocity.push_back(simulation.velocity(block));
-        history.spine_rotation.push_back(rotation_vector(run.initial.orientation[block], simulation.orientation(block)));
+        history.spine_rotation.push_back(rotation_vector(run.initial.orientation[block], turn_back(base, simulation.orientation(block))));
     }
-    note_falls(run, simulation, simulation.time(), simulation.base().displacement);
+    note_falls(run, simulation, simulation.time(), base);
 }
 
 void add_frame(RunResult& run, const Simulation& simulation) {
@@ -200,15 +202,17 @@ BlockTable make_block_table(const Specimen& specimen) {
     return table;
 }
 
-void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base) {
-    const Vector3 moved_base = run.origin ? Vector3(run.origin->base + base) : base;
-    const auto displacement = [&](std::size_t b) { return Vector3((simulation.position(b) - run.standing_position()[b]) - moved_base); };
+void note_falls(RunResult& run, const Simulation& simulation, double time, const BaseState& base) {
+    const Vector3 moved_base = run.origin ? Vector3(run.origin->base + base.displacement) : base.displacement;
+    const auto displacement = [&](std::size_t b) {
+        return Vector3((turn_back(base, simulation.position(b)) - run.standing_position()[b]) - moved_base);
+    };
     const std::size_t blocks = run.falls.time.size();
     std::size_t fallen = 0, standing = 0;
     for (std::size_t b = 0; b < blocks; ++b) {
         if (run.falls.is_airborne(b)) continue;
         ++standing;
-        if (!has_fallen_now(run, simulation, b, base.z())) continue;
+        if (!has_fallen_now(run, simulation, b, base)) continue;
         ++fallen;
         if (!std::isnan(run.falls.time[b])) continue;
         run.falls.time[b] = time;

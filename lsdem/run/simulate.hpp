@@ -95,9 +95,9 @@ RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint ch
 /// The run of a checkpoint of the rest phase after it. Throws std::runtime_error when its histories do not fit its plan.
 RunResult recall_finished(const Specimen& specimen, Checkpoint checkpoint);
 
-/// Dates the blocks that have fallen since the last look, and the collapse. `time` [s] and `base`, the displacement of the base [m], both
-/// since the start of the run.
-void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base);
+/// Dates the blocks that have fallen since the last look, seen from the base, and the collapse. `time` [s] and `base` are since the start
+/// of the run.
+void note_falls(RunResult& run, const Simulation& simulation, double time, const BaseState& base);
 
 /// Status and divergence of a run that has come as far as its simulation.
 void update_status(RunResult& run, const Simulation& simulation);

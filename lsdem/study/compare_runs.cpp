@@ -40,6 +40,12 @@ bool same_losses(const Losses& p, const Losses& m, const BackScaling& back) {
     return same(p.ground, m.ground) && std::equal(p.block.begin(), p.block.end(), m.block.begin(), m.block.end(), same);
 }
 
+bool same_turn(const BaseState& p, const BaseState& m, const BackScaling& rate, const BackScaling& length) {
+    return p.turn.coeffs() == m.turn.coeffs() && rate.same(p.turn_rates.velocity, m.turn_rates.velocity) &&
+           BackScaling{rate.factor * rate.factor}.same(p.turn_rates.acceleration, m.turn_rates.acceleration) &&
+           length.same(p.pivot, m.pivot);
+}
+
 bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, const scaling::Similitude& similitude) {
     const History& p = prototype.history;
     const History& m = model.history;
@@ -55,7 +61,7 @@ bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, c
     for (std::size_t k = 0; k < p.samples(); ++k) {
         if (!time.same(p.time[k], m.time[k]) || !same_energy(p.energy[k], m.energy[k], energy) ||
             !length.same(p.base[k].displacement, m.base[k].displacement) || !velocity.same(p.base[k].velocity, m.base[k].velocity) ||
-            !acceleration.same(p.base[k].acceleration, m.base[k].acceleration)) {
+            !acceleration.same(p.base[k].acceleration, m.base[k].acceleration) || !same_turn(p.base[k], m.base[k], rate, length)) {
             return false;
         }
     }

@@ -130,11 +130,11 @@ class TwinWork {
         prototype.interval = plan_.time_step * static_cast<double>(plan_.steps_per_sample);
         prototype.rounding = std::numeric_limits<double>::epsilon() * find_reach(specimen_.model) / plan_.time_step;
         prototype.diverged = !run_samples(specimen_, plan_.time_step, [&](const Simulation& simulation, std::uint64_t k) {
-            const Vector3 base = simulation.base().velocity;
+            const BaseState base = simulation.base();
             std::vector<Vector3> velocities;
             for (const std::size_t b : moving_) {
                 velocities.push_back(simulation.velocity(b));
-                prototype.peak = std::max(prototype.peak, (velocities.back() - base).norm());
+                prototype.peak = std::max(prototype.peak, (velocities.back() - base.velocity_at(simulation.position(b))).norm());
             }
             tape_->add(std::move(velocities));
             prototype.samples = k + 1;

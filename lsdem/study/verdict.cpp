@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "lsdem/results/base_frame.hpp"
 #include "lsdem/run/equilibrium.hpp"
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/sample_moments.hpp"
@@ -24,7 +25,8 @@ constexpr double kLively = 0.1;
 constexpr double kLeastScatter = kPartingLevel;
 
 double relative_speed(const RunResult& run, std::size_t sample, std::size_t block) {
-    return (run.history.spine_velocity[sample * run.spine.size() + block] - run.history.base[sample].velocity).norm();
+    const std::size_t at = sample * run.spine.size() + block;
+    return find_velocity_on_base(run.history.base[sample], run.history.spine_position[at], run.history.spine_velocity[at]).norm();
 }
 
 double find_peak(const RunResult& run) {

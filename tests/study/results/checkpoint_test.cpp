@@ -69,6 +69,15 @@ void check_same(const RunResult& a, const RunResult& b) {
     CHECK(a.history.spine_position == b.history.spine_position);
     CHECK(a.history.spine_velocity == b.history.spine_velocity);
     CHECK(a.history.spine_rotation == b.history.spine_rotation);
+    REQUIRE(a.history.base.size() == b.history.base.size());
+    for (std::size_t k = 0; k < a.history.base.size(); ++k) {
+        const BaseState &x = a.history.base[k], &y = b.history.base[k];
+        CHECK(x.displacement == y.displacement);
+        CHECK(x.turn.coeffs() == y.turn.coeffs());
+        CHECK(x.turn_rates.velocity == y.turn_rates.velocity);
+        CHECK(x.turn_rates.acceleration == y.turn_rates.acceleration);
+        CHECK(x.pivot == y.pivot);
+    }
     REQUIRE(a.history.energy.size() == b.history.energy.size());
     for (std::size_t k = 0; k < a.history.energy.size(); ++k) CHECK(a.history.energy[k].balance() == b.history.energy[k].balance());
     CHECK(a.frames.time == b.frames.time);
@@ -113,6 +122,19 @@ TEST_CASE("a run resumed from any of its checkpoints ends in the bits of an unin
         CHECK(wall_time_before > 0.0);
         CHECK(resumed.wall_time > wall_time_before);
     }
+}
+
+TEST_CASE("a run on a ground that turns is resumed to the same bits") {
+    Slide slide;
+    BaseComponents& motion = slide.specimen.model.ground.motion;
+    motion.turn[0] = {.start = 0.0, .dt = 0.125, .velocity = {0.0, 0.3, 0.0}};
+    motion.turn[1] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, -0.2, 0.1}};
+    motion.pivot = {0.5, -1.0, 0.0};
+    const RunResult whole = simulate(slide.specimen, slide.plan);
+    REQUIRE(whole.history.base.back().turn.vec().norm() > 0.001);
+    const Folder folder;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    check_same(resume(slide.specimen, read_checkpoint(folder.file(), "1.2"), {.threads = 2}), whole);
 }
 
 TEST_CASE("a collapse before the checkpoint keeps its date") {
@@ -238,12 +260,12 @@ TEST_CASE("a checkpoint of another format is refused with file, format and what 
     std::string old = bytes_of(folder.file());
     // the head: a name of 8 bytes, the byte order in 4, the format in 4
     constexpr std::size_t kFormatAt = 12;
-    REQUIRE(old[kFormatAt] == 15);
+    REQUIRE(old[kFormatAt] == 17);
     old[kFormatAt] = 14;
     write_bytes(folder.file(), old);
     CHECK(refusal(folder.file()) ==
           folder.file().string() +
-              ": the run cannot be continued (checkpoint: it has format 14, this program reads format 15; continue "
+              ": the run cannot be continued (checkpoint: it has format 14, this program reads format 17; continue "
               "it with the program that wrote it); start it anew");
 }
 
