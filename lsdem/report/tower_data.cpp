@@ -12,14 +12,16 @@
 
 #include "lsdem/export/base64.hpp"
 #include "lsdem/plot/solid_edges.hpp"
+#include "lsdem/results/base_frame.hpp"
 #include "lsdem/rotation.hpp"
 
 namespace musim::lsdem {
 namespace {
 
-/// Displacements, rotations and velocities of all blocks at one instant.
+/// Displacements and rotations of all blocks at one instant, the base turned back, and their velocities.
 struct TowerFrame {
     double time = 0.0;
+    BaseState base;
     std::vector<Vector3> displacement, rotation, velocity;
 };
 
@@ -29,6 +31,14 @@ Quaternion to_quaternion(const Eigen::Vector4f& wxyz) {
         .normalized();
 }
 
+/// The base at the sample nearest to a time.
+const BaseState& find_base(const History& history, double time) {
+    const auto after = std::lower_bound(history.time.begin(), history.time.end(), time);
+    std::size_t k = static_cast<std::size_t>(after - history.time.begin());
+    if (k == history.time.size() || (k > 0 && time - history.time[k - 1] < history.time[k] - time)) --k;
+    return history.base[k];
+}
+
 std::vector<TowerFrame> list_frames(const StoredRun& run) {
     const std::size_t blocks = run.blocks.size.size();
     std::vector<TowerFrame> list;
@@ -36,10 +46,13 @@ std::vector<TowerFrame> list_frames(const StoredRun& run) {
     for (std::size_t k = 0; k < frames.time.size(); ++k) {
         TowerFrame& frame = list.emplace_back();
         frame.time = frames.time[k];
+        frame.base = find_base(run.history, frame.time);
         for (std::size_t b = 0; b < blocks; ++b) {
             const std::size_t at = k * blocks + b;
-            frame.displacement.emplace_back(frames.position[at].cast<double>() - run.initial.position[b]);
-            frame.rotation.push_back(rotation_vector(run.initial.orientation[b], to_quaternion(frames.quaternion[at])));
+            const Vector3 place = turn_back(frame.base, Vector3(frames.position[at].cast<double>()));
+            frame.displacement.emplace_back(place - run.initial.position[b]);
+            frame.rotation.push_back(
+                rotation_vector(run.initial.orientation[b], turn_back(frame.base, to_quaternion(frames.quaternion[at]))));
             frame.velocity.emplace_back(frames.velocity[at].cast<double>());
         }
     }
@@ -47,9 +60,10 @@ std::vector<TowerFrame> list_frames(const StoredRun& run) {
     for (const Kinematics* state : {&run.initial, &run.final}) {
         TowerFrame& frame = list.emplace_back();
         frame.time = state == &run.initial ? 0.0 : run.history.time.back();
+        frame.base = find_base(run.history, frame.time);
         for (std::size_t b = 0; b < blocks; ++b) {
-            frame.displacement.emplace_back(state->position[b] - run.initial.position[b]);
-            frame.rotation.push_back(rotation_vector(run.initial.orientation[b], state->orientation[b]));
+            frame.displacement.emplace_back(turn_back(frame.base, state->position[b]) - run.initial.position[b]);
+            frame.rotation.push_back(rotation_vector(run.initial.orientation[b], turn_back(frame.base, state->orientation[b])));
         }
         frame.velocity.assign(blocks, Vector3::Zero());
     }
@@ -192,13 +206,16 @@ nlohmann::json list_shapes(const BlockShapes& shapes) {
     return list;
 }
 
-/// Displacement of the base at the sample nearest to a time.
-std::array<double, 3> find_base(const History& history, double time) {
-    const auto after = std::lower_bound(history.time.begin(), history.time.end(), time);
-    std::size_t k = static_cast<std::size_t>(after - history.time.begin());
-    if (k == history.time.size() || (k > 0 && time - history.time[k - 1] < history.time[k] - time)) --k;
-    const Vector3& base = history.base[k].displacement;
-    return {base.x(), base.y(), base.z()};
+std::array<double, 3> to_array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Members of a run whose base turns.
+void add_turn(const std::vector<TowerFrame>& frames, nlohmann::json& json) {
+    if (std::none_of(frames.begin(), frames.end(), [](const TowerFrame& frame) { return has_turned(frame.base); })) return;
+    for (const TowerFrame& frame : frames) {
+        const Quaternion& q = frame.base.turn;
+        json["turn"].push_back({q.w(), q.x(), q.y(), q.z()});
+    }
+    json["pivot"] = to_array(frames.front().base.pivot);
 }
 
 }  // namespace
@@ -218,35 +235,37 @@ TowerData make_tower_data(const ReportedRun& reported) {
         rotation.add(frame.rotation, bytes);
         velocity.add(frame.velocity, bytes);
         times.push_back(frame.time);
-        base.push_back(find_base(run.history, frame.time));
+        base.push_back(to_array(frame.base.displacement));
     }
     const std::vector<double> forces = list_forces(reported);
     const double largest_force = forces.empty() ? 0.0 : *std::max_element(forces.begin(), forces.end());
     std::string layers, shapes;
     for (const int layer : run.blocks.layer) append(layers, static_cast<std::int16_t>(layer));
     for (const int shape : run.blocks.shapes.of_block) append(shapes, static_cast<std::int32_t>(shape));
-    return {.json = {{"label", reported.label},
-                     {"blocks", blocks},
-                     {"length", run.similitude.length()},
-                     {"time", run.similitude.time()},
-                     {"velocity", run.similitude.velocity()},
-                     {"stands", reported.stands},
-                     {"has_frames", !run.frames.time.empty()},
-                     {"times", times},
-                     {"base", base},
-                     {"scales", {{"displacement", far}, {"rotation", turned}, {"velocity", fast}, {"force", largest_force}}},
-                     {"start", encode_base64(list_start(run))},
-                     {"slip", encode_base64(list_slips(reported))},
-                     {"layer", encode_base64(layers)},
-                     {"shapes", list_shapes(run.blocks.shapes)},
-                     {"shape", encode_base64(shapes)},
-                     {"forces", forces.empty() ? "" : encode_base64(compress_bytes(code_forces(forces, blocks, largest_force)))},
-                     {"frames", encode_base64(compress_bytes(bytes))}},
-            // half a step of the square root, at the largest force
-            .rounding = {.displacement = displacement.rounding(),
-                         .rotation = rotation.rounding(),
-                         .velocity = velocity.rounding(),
-                         .force = largest_force / kForceSteps}};
+    TowerData data{.json = {{"label", reported.label},
+                            {"blocks", blocks},
+                            {"length", run.similitude.length()},
+                            {"time", run.similitude.time()},
+                            {"velocity", run.similitude.velocity()},
+                            {"stands", reported.stands},
+                            {"has_frames", !run.frames.time.empty()},
+                            {"times", times},
+                            {"base", base},
+                            {"scales", {{"displacement", far}, {"rotation", turned}, {"velocity", fast}, {"force", largest_force}}},
+                            {"start", encode_base64(list_start(run))},
+                            {"slip", encode_base64(list_slips(reported))},
+                            {"layer", encode_base64(layers)},
+                            {"shapes", list_shapes(run.blocks.shapes)},
+                            {"shape", encode_base64(shapes)},
+                            {"forces", forces.empty() ? "" : encode_base64(compress_bytes(code_forces(forces, blocks, largest_force)))},
+                            {"frames", encode_base64(compress_bytes(bytes))}},
+                   // half a step of the square root, at the largest force
+                   .rounding = {.displacement = displacement.rounding(),
+                                .rotation = rotation.rounding(),
+                                .velocity = velocity.rounding(),
+                                .force = largest_force / kForceSteps}};
+    add_turn(frames, data.json);
+    return data;
 }
 
 }  // namespace musim::lsdem

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <map>
 
+#include "lsdem/base_motion.hpp"
 #include "lsdem/plot/body_view.hpp"
 #include "lsdem/plot/plot_panel.hpp"
 #include "lsdem/plot/svg.hpp"
 #include "lsdem/run/simulate.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/units.hpp"
 
@@ -111,7 +113,7 @@ class Preview {
 
     bool moves() const {
         return std::any_of(summary_.motions.begin(), summary_.motions.end(),
-                           [](const MotionSummary& motion) { return !motion.axes.empty(); });
+                           [](const MotionSummary& motion) { return !motion.axes.empty() || motion.base.turns(); });
     }
 
     void draw_ground() {
@@ -141,7 +143,7 @@ class Preview {
         detail::draw_text(svg_, x, y_at(height) - 8.0, "middle", kGrey, "z = " + write_length(height));
     }
 
-    /// Along x and y, beside the near edges of the ground, with an arrow where the base moves.
+    /// Along x and y, beside the near edges of the ground, with an arrow where the base moves, and a word where it turns.
     void draw_widths() {
         const Vector3 size = summary_.high - summary_.low;
         const std::array<Vector3, 2> from{ground_[0], ground_[1]}, to{ground_[1], ground_[2]};
@@ -153,6 +155,12 @@ class Preview {
             const double x = x_of(middle) + (axis == 0 ? -10.0 : 10.0), y = y_of(middle) + 18.0;
             const char* anchor = axis == 0 ? "end" : "start";
             detail::draw_text(svg_, x, y, anchor, kGrey, fmt::format("{} = {}", "xy"[axis], write_length(size[static_cast<int>(axis)])));
+            const bool turns = std::any_of(summary_.motions.begin(), summary_.motions.end(),
+                                           [&](const MotionSummary& motion) { return !motion.base.turn[axis].velocity.empty(); });
+            if (turns) {
+                detail::draw_text(svg_, x, y + (moves ? 32.0 : 16.0), anchor, R"(class="small" fill="#D55E00")",
+                                  fmt::format("base turns about {}", "xy"[axis]));
+            }
             if (!moves) continue;
             detail::draw_text(svg_, x, y + 16.0, anchor, R"(class="small" fill="#D55E00")", "base moves");
             draw_arrow(0.7 * from[axis] + 0.3 * to[axis], 0.3 * from[axis] + 0.7 * to[axis]);
@@ -213,41 +221,81 @@ class Preview {
         }
     }
 
+    /// Curves that one panel below the structure shows.
+    struct MotionPanel {
+        std::string title;
+        LinePlot plot;
+    };
+
     void draw_motion() {
-        LinePlot plot{.x_label = "time [s]", .y_label = "base [g]"};
-        std::map<char, PlotSeries> series;
+        MotionPanel slides{.title = "Acceleration of the base", .plot = {.x_label = "time [s]", .y_label = "base [g]"}};
+        MotionPanel turns{.title = "Turn of the base", .plot = {.x_label = "time [s]", .y_label = "angle [deg]"}};
+        std::map<char, PlotSeries> along, about;
         double start = 0.0;
         for (const MotionSummary& motion : summary_.motions) {
             for (const AxisMotion& axis : motion.axes) {
-                PlotSeries& curve = series[axis.axis];
+                PlotSeries& curve = along[axis.axis];
                 curve.label = fmt::format("along {}", axis.axis);
                 add_acceleration(motion.base.shift[static_cast<std::size_t>(axis.axis - 'x')], start, motion.plan.duration(), curve);
             }
+            add_angles(motion.base, start, motion.plan.duration(), about);
             start += motion.plan.duration();
         }
+        take_series(along, slides);
+        take_series(about, turns);
+        std::vector<const MotionPanel*> panels;
+        for (const MotionPanel* panel : {&slides, &turns}) {
+            if (!panel->plot.series.empty()) panels.push_back(panel);
+        }
+        if (panels.empty()) detail::draw_text(svg_, kPanelLeft, kPanelTop, "start", kGrey, "the base rests");
+        const auto count = static_cast<double>(panels.size());
+        const double width = (kWidth - kMargin - kPanelLeft - (count - 1.0) * kPanelLeft) / count;
+        double left = kPanelLeft;
+        for (const MotionPanel* panel : panels) {
+            draw_motion_panel(*panel, left, width, start);
+            left += width + kPanelLeft;
+        }
+    }
+
+    static void take_series(std::map<char, PlotSeries>& from, MotionPanel& to) {
         int style = 0;
-        for (auto& [axis, curve] : series) {
+        for (auto& [axis, curve] : from) {
             curve.style = style++;
-            plot.series.push_back(std::move(curve));
+            to.plot.series.push_back(std::move(curve));
         }
-        const detail::PanelFrame frame{
-            .left = kPanelLeft, .top = kPanelTop, .width = kWidth - kMargin - kPanelLeft, .height = kPanel, .y_label_gap = 48.0};
-        if (plot.series.empty()) {
-            detail::draw_text(svg_, kPanelLeft, kPanelTop, "start", kGrey, "the base rests");
-            return;
-        }
+    }
+
+    void draw_motion_panel(const MotionPanel& panel, double left, double width, double end) {
+        const detail::PanelFrame frame{.left = left, .top = kPanelTop, .width = width, .height = kPanel, .y_label_gap = 48.0};
         detail::DataRange range;
         range.add(0.0);
-        range.add(start);
-        const std::vector<detail::LineStyle> styles = detail::find_styles(plot, [](std::size_t index) {
+        range.add(end);
+        const std::vector<detail::LineStyle> styles = detail::find_styles(panel.plot, [](std::size_t index) {
             constexpr std::array<detail::LineStyle, 3> kLooks{{{"#0072B2", 1.2, ""}, {"#D55E00", 1.2, "6 3"}, {"#000000", 1.1, "1.5 3"}}};
             return kLooks[index % kLooks.size()];
         });
-        std::string heading = "Acceleration of the base";
-        for (const PlotSeries& curve : plot.series) heading += (&curve == &plot.series.front() ? " " : ", ") + curve.label;
+        std::string heading = panel.title;
+        for (const PlotSeries& curve : panel.plot.series) heading += (&curve == &panel.plot.series.front() ? " " : ", ") + curve.label;
         if (summary_.motions.size() > 1) heading += fmt::format("; {} motions one after another", summary_.motions.size());
-        detail::draw_text(svg_, kPanelLeft, kPanelTop - 10.0, "start", "class=\"title\"", heading);
-        detail::draw_panel(svg_, plot, {.frame = frame, .x_range = range}, styles);
+        detail::draw_text(svg_, left, kPanelTop - 10.0, "start", "class=\"title\"", heading);
+        detail::draw_panel(svg_, panel.plot, {.frame = frame, .x_range = range}, styles);
+    }
+
+    /// Components of the rotation vector at even times, of those axes about which the base turns.
+    static void add_angles(const BaseComponents& base, double start, double duration, std::map<char, PlotSeries>& about) {
+        constexpr int kPoints = 400;
+        const BaseMotion motion(base);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (base.turn[axis].velocity.empty()) continue;
+            const char name = "xyz"[axis];
+            PlotSeries& curve = about[name];
+            curve.label = fmt::format("about {}", name);
+            for (int i = 0; i <= kPoints; ++i) {
+                const double time = duration * i / kPoints;
+                curve.x.push_back(start + time);
+                curve.y.push_back(motion.angle(time)[static_cast<Eigen::Index>(axis)] / scaling::kDegree);
+            }
+        }
     }
 
     /// Constant between samples of the velocity: at the middles of these stretches, from t = 0 until the run ends.

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -96,6 +97,33 @@ TEST_CASE("frames come back within the stated rounding") {
     CHECK(data.json["times"].size() == 40);
     CHECK(data.json["base"][39][0].get<double>() == reported.run.history.base[39].displacement.x());
     CHECK(decode_base64(data.json["start"]).size() == blocks * 40);
+}
+
+TEST_CASE("what turns with the base has not moved in a page, which knows the turn") {
+    ReportedRun reported = make_stored_run(40);
+    StoredRun& run = reported.run;
+    const Vector3 pivot(0.5, -1.0, 0.0);
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        BaseState& base = run.history.base[k];
+        base.pivot = pivot;
+        base.turn = Quaternion(Eigen::AngleAxisd(0.02 * static_cast<double>(k), Vector3::UnitY()));
+        for (std::size_t b = 0; b < 3; ++b) {
+            const Vector3 place = pivot + base.displacement + base.turn * (run.initial.position[b] - pivot);
+            const Quaternion q = base.turn * run.initial.orientation[b];
+            run.frames.position[3 * k + b] = place.cast<float>();
+            run.frames.quaternion[3 * k + b] = Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).cast<float>();
+        }
+    }
+    const TowerData data = make_tower_data(reported);
+    // single precision of places some metres away, and of quaternions
+    const double last = run.history.base.back().displacement.x();
+    CHECK(data.json["scales"]["displacement"].get<double>() == doctest::Approx(last).epsilon(1e-5));
+    CHECK(data.json["scales"]["rotation"].get<double>() < 1e-6);
+    REQUIRE(data.json["turn"].size() == 40);
+    CHECK(data.json["turn"][39][0].get<double>() == doctest::Approx(std::cos(0.39)).epsilon(1e-14));
+    CHECK(data.json["turn"][39][2].get<double>() == doctest::Approx(std::sin(0.39)).epsilon(1e-14));
+    CHECK(data.json["pivot"] == nlohmann::json{0.5, -1.0, 0.0});
+    CHECK_FALSE(make_tower_data(make_stored_run(40)).json.contains("turn"));
 }
 
 TEST_CASE("contact forces come back over the weights of their blocks within the stated rounding") {

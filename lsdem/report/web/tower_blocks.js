@@ -1,7 +1,7 @@
 // The blocks of a run as meshes of three.js, one for each shape.
 const VERTEX = [
   "attribute float inside; attribute vec3 place; attribute vec4 turn; attribute vec3 extent; attribute vec3 moved; attribute vec3 turned; attribute float shade;",
-  "uniform float enlarge; uniform float exaggeration; uniform vec3 ground; uniform vec3 origin; uniform vec3 cutNormal; uniform float cutAt; uniform vec3 size;",
+  "uniform float enlarge; uniform float exaggeration; uniform vec3 ground; uniform vec4 tilt; uniform vec3 pivot; uniform vec3 origin; uniform vec3 cutNormal; uniform float cutAt; uniform vec3 size;",
   "varying float vShade; varying float vInside; varying vec3 vFace; varying vec3 vNormal;",
   "vec4 product(vec4 a, vec4 b) { return vec4(a.w*b.xyz + b.w*a.xyz + cross(a.xyz, b.xyz), a.w*b.w - dot(a.xyz, b.xyz)); }",
   "vec3 rotate(vec4 q, vec3 v) { return v + 2.0*cross(q.xyz, cross(q.xyz, v) + q.w*v); }",
@@ -9,8 +9,8 @@ const VERTEX = [
   "void main() {",
   "  vec4 q = product(fromVector(exaggeration*turned), turn);",
   "  vec3 centre = place + exaggeration*(moved - ground);",
-  "  vec3 at = origin + enlarge*(centre + rotate(q, position*extent));",
-  "  vShade = shade; vInside = inside; vFace = position/size; vNormal = normalize(normalMatrix*rotate(q, normal));",
+  "  vec3 at = origin + enlarge*(pivot + rotate(tilt, centre + rotate(q, position*extent) - pivot));",
+  "  vShade = shade; vInside = inside; vFace = position/size; vNormal = normalize(normalMatrix*rotate(tilt, rotate(q, normal)));",
   "  gl_Position = dot(cutNormal, enlarge*place) > cutAt ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix*modelViewMatrix*vec4(at, 1.0);",
   "}"].join("\n");
 // The chosen block is striped, so that no colour of a quantity is taken for it.
@@ -106,7 +106,7 @@ class Blocks {
     this.run = run;
     this.origin = origin;
     this.shade = new Float32Array(run.blocks);
-    this.uniforms = Object.assign({ enlarge: { value: 1 / run.length }, ground: { value: new THREE.Vector3() }, origin: { value: origin } }, uniforms);
+    this.uniforms = Object.assign({ enlarge: { value: 1 / run.length }, ground: { value: new THREE.Vector3() }, tilt: { value: new THREE.Vector4(0, 0, 0, 1) }, pivot: { value: new THREE.Vector3() }, origin: { value: origin } }, uniforms);
     this.meshes = [];
     this.object = new THREE.Group();
     run.shapes.forEach(function (shape, number) {
@@ -124,6 +124,11 @@ class Blocks {
     run.seek(time);
     const ground = relative ? run.ground : [0, 0, 0];
     this.uniforms.ground.value.set(ground[0], ground[1], ground[2]);
+    // the base turns as it does, whatever displacements are multiplied by
+    const turn = this.tilt = relative ? new THREE.Quaternion() : run.turn.clone();
+    this.uniforms.tilt.value.set(turn.x, turn.y, turn.z, turn.w);
+    const shift = new THREE.Vector3().fromArray(run.ground).sub(this.uniforms.ground.value);
+    this.uniforms.pivot.value.copy(run.pivot).addScaledVector(shift, this.uniforms.exaggeration.value);
     for (let b = 0; b < run.blocks; ++b) {
       const share = limit > 0 ? run.value(quantity.key, b) / limit : 0;
       shade[b] = quantity.signed ? 0.5 * (1 + share) : share;
@@ -134,10 +139,24 @@ class Blocks {
 
   // Centre of a block as it is drawn.
   centre(block, exaggeration) {
-    const run = this.run, ground = this.uniforms.ground.value, s = run.start, d = run.displacement, k = 1 / run.length;
-    return new THREE.Vector3(
-      this.origin.x + k * (s[10 * block] + exaggeration * (d[3 * block] - ground.x)),
-      this.origin.y + k * (s[10 * block + 1] + exaggeration * (d[3 * block + 1] - ground.y)),
-      this.origin.z + k * (s[10 * block + 2] + exaggeration * (d[3 * block + 2] - ground.z)));
+    const run = this.run, ground = this.uniforms.ground.value, s = run.start, d = run.displacement;
+    const place = new THREE.Vector3(
+      s[10 * block] + exaggeration * (d[3 * block] - ground.x),
+      s[10 * block + 1] + exaggeration * (d[3 * block + 1] - ground.y),
+      s[10 * block + 2] + exaggeration * (d[3 * block + 2] - ground.z));
+    return this.turned(place).divideScalar(run.length).add(this.origin);
+  }
+
+  // A place that turns with the base.
+  turned(place) {
+    const pivot = this.uniforms.pivot.value;
+    return place.sub(pivot).applyQuaternion(this.tilt).add(pivot);
+  }
+
+  // Puts what stands on the base at the start, in units of the first run, where the base is.
+  putOnBase(object) {
+    const shift = new THREE.Vector3().copy(this.uniforms.pivot.value).sub(this.run.pivot);
+    object.position.copy(this.turned(shift)).divideScalar(this.run.length).add(this.origin).sub(this.origin.clone().applyQuaternion(this.tilt));
+    object.quaternion.copy(this.tilt);
   }
 }

@@ -16,7 +16,7 @@ const QUANTITIES = [
   { key: "vz", name: "velocity along z", unit: "cm/s", factor: 100, signed: true, moves: true },
   { key: "speed", name: "speed", unit: "cm/s", factor: 100, signed: false, moves: true },
   { key: "moved", name: "displacement since the start, relative to the base", unit: "mm", factor: 1000, signed: false, kept: isShaken },
-  { key: "turned", name: "rotation since the start", unit: "°", factor: 1, signed: false, kept: isShaken },
+  { key: "turned", name: "rotation since the start, relative to the base", unit: "°", factor: 1, signed: false, kept: isShaken },
   { key: "force", name: "contact forces on it, over its weight", unit: "", factor: 1, signed: false, kept: function (run) { return run.forces !== null; } },
   { key: "slip", name: "slip below it at the end", unit: "mm", factor: 1000, signed: false, still: true, kept: isShaken },
   { key: "tilt", name: "tilt at the start", unit: "°", factor: 1, signed: false, still: true },
@@ -115,6 +115,10 @@ class Run {
     this.stands = data.stands;
     this.times = data.times.map(function (t) { return t / data.time; });
     this.base = data.base;
+    // of a base that turns: about a place, by a quaternion at each frame
+    this.pivot = new THREE.Vector3().fromArray(data.pivot || [0, 0, 0]);
+    this.turns = data.turn ? data.turn.map(function (q) { return new THREE.Quaternion(q[1], q[2], q[3], q[0]); }) : null;
+    this.turn = new THREE.Quaternion();
     this.start = new Float32Array(bytesOf(data.start).buffer);
     this.slip = new Float32Array(bytesOf(data.slip).buffer);
     this.layer = new Int16Array(bytesOf(data.layer).buffer);
@@ -174,6 +178,7 @@ class Run {
     for (let axis = 0; axis < 3; ++axis) {
       this.ground[axis] = (1 - at.weight) * this.base[at.low][axis] + at.weight * this.base[at.high][axis];
     }
+    if (this.turns) this.turn.copy(this.turns[at.low]).slerp(this.turns[at.high], at.weight);
   }
 
   // Only what one block needs: where it is at a time.

@@ -11,8 +11,10 @@ function writeLength(metres) {
   return Number((metres * unit.factor).toPrecision(3)) + " " + unit.name;
 }
 
-function makeGrid(extent) {
-  const step = findRoundStep(Math.max(sizeAlong(extent, 2), sizeAlong(extent, 1)) / 8), z = extent.low[2];
+function findGridStep(extent) { return findRoundStep(Math.max(sizeAlong(extent, 2), sizeAlong(extent, 1)) / 8); }
+
+function makeGrid(extent, step) {
+  const z = extent.low[2];
   const [left, front] = [0, 1].map(function (axis) { return step * Math.floor(extent.low[axis] / step - 1); });
   const [right, rear] = [0, 1].map(function (axis) { return step * Math.ceil(extent.high[axis] / step + 1); });
   const ends = [];
@@ -22,7 +24,7 @@ function makeGrid(extent) {
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(ends, 3));
   const grid = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: 0x808080, transparent: true, opacity: 0.45 }));
   grid.frustumCulled = false;
-  return { lines: grid, step: step };
+  return grid;
 }
 
 // The axes x, y and z as arrows in a corner of the view, for a picture whose right and upward directions are given.

@@ -57,8 +57,10 @@ class Viewer {
     this.bounds = uniteBounds(this.runBounds);
     this.groups = this.runs.map(function (run) { return new Blocks(run, new THREE.Vector3(), this.shared); }, this);
     this.groups.forEach(function (group) { this.scene.add(group.object); }, this);
-    this.ground = new THREE.Group();
-    this.scene.add(this.ground);
+    // the grids on which the runs stand: one for all, or, where they turn, one each
+    const turns = this.runs.some(function (run) { return run.turns !== null; });
+    this.grounds = (turns ? this.runs : this.runs.slice(0, 1)).map(function () { return new THREE.Group(); });
+    this.grounds.forEach(function (ground) { this.scene.add(ground); }, this);
     // a picture as wide as the runs need, slender ones with the controls at their side
     const kWidest = 2, kSlender = 0.55, least = findAspect(this.runBounds, LEAST_GAP), most = findAspect(this.runBounds, LARGEST_GAP);
     holder.classList.toggle("slender", most < kSlender);
@@ -72,10 +74,12 @@ class Viewer {
       return { low: [bounds.low[0] + shifts[i], bounds.low[1], bounds.low[2]], high: [bounds.high[0] + shifts[i], bounds.high[1], bounds.high[2]] };
     });
     this.groups.forEach(function (group, i) { group.origin.x = shifts[i]; });
-    const grid = makeGrid(uniteBounds(this.boxes));
-    this.ground.children.slice().forEach(function (lines) { lines.geometry.dispose(); this.ground.remove(lines); }, this);
-    this.ground.add(grid.lines);
-    part("scale").textContent = "grid: " + writeLength(grid.step);
+    const whole = uniteBounds(this.boxes), step = findGridStep(whole);
+    this.grounds.forEach(function (ground, i) {
+      ground.children.slice().forEach(function (lines) { lines.geometry.dispose(); ground.remove(lines); });
+      ground.add(makeGrid(this.grounds.length > 1 ? this.boxes[i] : whole, step));
+    }, this);
+    part("scale").textContent = "grid: " + writeLength(step);
   }
 
   // One finger scrolls the page, and so does a wheel before the view is clicked: the controls, which would keep both, see them only else.
@@ -286,7 +290,7 @@ class Viewer {
         const angle = axis.length();
         turn.set(s[10 * b + 4], s[10 * b + 5], s[10 * b + 6], s[10 * b + 3]);
         if (angle > 0) turn.premultiply(more.setFromAxisAngle(axis.divideScalar(angle), angle));
-        inverse.copy(turn).conjugate();
+        inverse.copy(turn.premultiply(group.tilt)).conjugate();
         const centre = group.centre(b, this.shared.exaggeration.value);
         const extent = new THREE.Vector3().fromArray(run.extentOf(b)).divideScalar(run.length);
         const from = ray.ray.origin.clone().sub(centre).applyQuaternion(inverse).divide(extent);
@@ -306,10 +310,9 @@ class Viewer {
   }
 
   update() {
-    const relative = part("relative").checked, limit = this.limits[this.quantity.key], enlarge = this.shared.exaggeration.value;
+    const relative = part("relative").checked, limit = this.limits[this.quantity.key];
     this.groups.forEach(function (group, i) { group.show(this.time, this.quantity, limit, relative, i === this.chosen.run ? this.chosen.block : -1); }, this);
-    const first = this.runs[0];
-    this.ground.position.fromArray(relative ? [0, 0, 0] : first.ground).multiplyScalar(enlarge / first.length);
+    this.grounds.forEach(function (ground, i) { this.groups[i].putOnBase(ground); }, this);
     part("time").value = String(this.time);
     part("clock").textContent = this.time.toFixed(3) + " s of " + Number(this.duration.toPrecision(4)) + " s";
     part("time").setAttribute("aria-valuetext", part("clock").textContent);
