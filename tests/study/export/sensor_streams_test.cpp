@@ -71,6 +71,6 @@ TEST_CASE("there is no miniSEED of sensors that are not there or read nothing") 
     StoredRun none = make_run();
     none.sensors.clear();
     CHECK(refusal(none, {}).find("out: the run has no sensors; give its scene \"sensors\"") != std::string::npos);
-    CHECK(refusal(make_run(), "A2").find("out: there is no sensor \"A2\"; did you mean \"A1\"?") != std::string::npos);
+    CHECK(refusal(make_run(), "A2").find("out: there is no sensor \"A2\"; known are A1, top left") != std::string::npos);
     CHECK(refusal(make_run(), "none").find("out: its sensors read nothing") != std::string::npos);
 }
