@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lsdem/joint_scatter.hpp"
+#include "lsdem/loads.hpp"
 #include "lsdem/shape.hpp"
 #include "lsdem/types.hpp"
 
@@ -132,6 +133,7 @@ struct Model {
     std::vector<Block> blocks;
     Ground ground;
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
+    std::vector<Load> loads;            ///< beside the weight, from the start of a run on; not while it comes to rest before
     /// Friction of blocks that stand already; nothing of contacts that are not named. Contacts by nodes don't take it.
     std::vector<Preload> preload;
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base

@@ -69,9 +69,15 @@ static void exchange(Archive& archive, JointScatter& s) {
     if (s.friction != 0.0) archive(s.friction, s.seed);
 }
 
+static void exchange(Archive& archive, Load& l) {
+    archive(l.block, l.point, l.direction, l.force, l.displacement, l.stiffness, l.start, l.rise);
+}
+
 static void exchange(Archive& archive, Model& m) {
     archive(m.shapes, m.materials, m.pairs, m.blocks, m.ground, m.gravity, m.numerics.contact_nodes, m.numerics.skip_rest,
             m.numerics.skip_apart, m.numerics.face_contact, m.velocity_damping, m.preload, m.scatter);
+    // nothing of a model without any, as of scatter
+    for (Load& load : m.loads) archive(load);
 }
 
 std::uint64_t hash_model(Model model, double time_step) {

@@ -68,21 +68,35 @@ std::vector<AreaPoint> find_face_points(const Model& model, const Block& block, 
     return points;
 }
 
+/// Displacements of points of a block, body frame, by mass-normalised translations and rotations.
+class PointMotion {
+  public:
+    PointMotion(const Model& model, const Block& block) : per_root_mass_(1.0 / std::sqrt(block.mass)) {
+        if (block.rotation_locked) return;
+        per_root_inertia_ = (block.mass * inertia_over_mass(model, block)).cwiseSqrt().cwiseInverse();
+    }
+
+    Eigen::Matrix<double, 3, 6> of(const Vector3& p) const {
+        Eigen::Matrix<double, 3, 6> b;
+        b.leftCols<3>() = per_root_mass_ * Matrix3::Identity();
+        b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
+        b.rightCols<3>() = (b.rightCols<3>() * per_root_inertia_.asDiagonal()).eval();
+        return b;
+    }
+
+  private:
+    double per_root_mass_;
+    Vector3 per_root_inertia_ = Vector3::Zero();
+};
+
 /// Points of a block pressed on a rigid plane across `normal`, body frame, through an interface.
 ModeMatrices press(const Model& model, const Block& block, const Interface& law, const Vector3& normal,
                    const std::vector<AreaPoint>& points) {
-    const double per_root_mass = 1.0 / std::sqrt(block.mass);
-    const Vector3 per_root_inertia = block.rotation_locked
-                                         ? Vector3(Vector3::Zero())
-                                         : Vector3((block.mass * inertia_over_mass(model, block)).cwiseSqrt().cwiseInverse());
+    const PointMotion motion(model, block);
     ModeMatrices sum;
     for (const auto& [p, pressed_area] : points) {
         const double area = pressed_area;
-        // displacement of the point by unit translations and rotations
-        Eigen::Matrix<double, 3, 6> b;
-        b.leftCols<3>() = per_root_mass * Matrix3::Identity();
-        b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
-        b.rightCols<3>() = (b.rightCols<3>() * per_root_inertia.asDiagonal()).eval();
+        const Eigen::Matrix<double, 3, 6> b = motion.of(p);
         const auto per_area = [&](double along, double across) {
             const Matrix3 projector = normal * normal.transpose();
             return Matrix3(area * across * (Matrix3::Identity() - projector) + area * along * projector);
@@ -96,6 +110,20 @@ ModeMatrices press(const Model& model, const Block& block, const Interface& law,
 /// Face of a block across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
 ModeMatrices face_matrices(const Model& model, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
     return press(model, block, law, Vector3::Unit(axis), find_face_points(model, block, axis, sign, spread));
+}
+
+/// Actuators on block i.
+ModeMatrices find_actuators(const Model& model, std::size_t i) {
+    ModeMatrices sum;
+    const Block& block = model.blocks[i];
+    for (const Load& load : model.loads) {
+        if (load.block != i || !load.is_actuator()) continue;
+        const Vector3 direction = block.orientation.conjugate() * load.direction;
+        const Eigen::Matrix<double, 6, 1> along = PointMotion(model, block).of(load.point).transpose() * direction;
+        sum.stiffness += load.stiffness * along * along.transpose();
+        sum.damping += find_actuator_damping(model, load) * along * along.transpose();
+    }
+    return sum;
 }
 
 /// dt for which the largest eigenvalue of K·dt²/4 + C·dt/2 is one.
@@ -145,17 +173,19 @@ Interface make_ground_interface(const Model& model, const Block& block) {
     return make_interface(find_joint(model, block.material, std::nullopt), block.mass, model.shapes[block.shape].face_area);
 }
 
-/// Limit of a block of which two sides bear; `press_side(i, law)`: the matrices of the upper, 0, and the lower one, 1.
+/// Limit of a block of which two sides bear; `press_side(i, law)`: the matrices of the upper, 0, and the lower one, 1; `held`: those of
+/// what holds the block besides.
 template <class PressSide>
-double block_limit(const Model& model, const Partners& partners, const Block& block, const PressSide& press_side) {
+double block_limit(const Model& model, const Partners& partners, const Block& block, const ModeMatrices& held,
+                   const PressSide& press_side) {
     const Interface between = partners.stiffest(block);
     const ModeMatrices top = press_side(0, between), bottom = press_side(1, between);
-    ModeMatrices in_stack;
+    ModeMatrices in_stack = held;
     in_stack.add(top, 2.0);
     in_stack.add(bottom, 2.0);
     double limit = solve_limit(in_stack);
     if (model.ground.present) {
-        ModeMatrices at_base;
+        ModeMatrices at_base = held;
         at_base.add(top, 2.0);
         at_base.add(press_side(1, make_ground_interface(model, block)), 1.0);
         limit = std::min(limit, solve_limit(at_base));
@@ -164,22 +194,23 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
 }
 
 /// Limit of a block whose two faces across `axis` bear.
-double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis, Spread spread) {
-    return block_limit(model, partners, block, [&](int side, const Interface& law) {
+double block_limit(const Model& model, const Partners& partners, const Block& block, const ModeMatrices& held, Eigen::Index axis,
+                   Spread spread) {
+    return block_limit(model, partners, block, held, [&](int side, const Interface& law) {
         return face_matrices(model, block, law, axis, side == 0 ? 1.0 : -1.0, spread);
     });
 }
 
 /// Limit of a solid of which any side bears that may, with the one that faces away from it. `may_bear`: empty for all.
-double solid_limit(const Model& model, const Partners& partners, const Block& block, const Solid& solid,
-                   const std::vector<bool>& may_bear = {}) {
+double solid_limit(const Model& model, const Partners& partners, const Block& block, const ModeMatrices& held, const Solid& solid,
+                   const std::vector<bool>& may_bear) {
     double limit = std::numeric_limits<double>::infinity();
     const std::vector<BearingSide> sides = find_bearing_sides(solid);
     for (std::size_t s = 0; s < sides.size(); ++s) {
         if (!may_bear.empty() && !may_bear[s]) continue;
         const BearingSide& side = sides[s];
         const BearingSide other = find_bearing_side(solid, -side.normal);
-        limit = std::min(limit, block_limit(model, partners, block, [&](int i, const Interface& law) {
+        limit = std::min(limit, block_limit(model, partners, block, held, [&](int i, const Interface& law) {
                              const BearingSide& pressed = i == 0 ? other : side;
                              return press(model, block, law, pressed.normal, pressed.points);
                          }));
@@ -187,11 +218,11 @@ double solid_limit(const Model& model, const Partners& partners, const Block& bl
     return limit;
 }
 
-double block_limit(const Model& model, const Partners& partners, const Block& block, Eigen::Index axis,
-                   const std::vector<bool>& may_bear = {}) {
+double block_limit(const Model& model, const Partners& partners, const Block& block, const ModeMatrices& held, Eigen::Index axis,
+                   const std::vector<bool>& may_bear) {
     const Solid* const solid = model.shapes[block.shape].solid.get();
-    if (solid != nullptr) return solid_limit(model, partners, block, *solid, may_bear);
-    return block_limit(model, partners, block, axis, meets_by_overlap(model, block) ? Spread::even : Spread::by_nodes);
+    if (solid != nullptr) return solid_limit(model, partners, block, held, *solid, may_bear);
+    return block_limit(model, partners, block, held, axis, meets_by_overlap(model, block) ? Spread::even : Spread::by_nodes);
 }
 
 /// Area of the largest face of a block, or of the faces of a solid that may bear together [m²].
@@ -267,9 +298,17 @@ double find_highest_restitution(const Model& model) {
 double compute_critical_time_step(const Model& model) {
     const Partners partners(model);
     double limit = std::numeric_limits<double>::infinity();
-    visit_kinds(model, find_facing_sides(model), [&](const Block& block, const std::vector<bool>& sides) {
-        limit = std::min(limit, block_limit(model, partners, block, find_upright_axis(block), sides));
+    const std::vector<std::vector<bool>> facing = find_facing_sides(model);
+    visit_kinds(model, facing, [&](const Block& block, const std::vector<bool>& sides) {
+        limit = std::min(limit, block_limit(model, partners, block, {}, find_upright_axis(block), sides));
     });
+    for (const Load& load : model.loads) {
+        const Block& block = model.blocks[load.block];
+        if (block.fixed || !load.is_actuator()) continue;
+        const std::vector<bool> sides = facing.empty() ? std::vector<bool>{} : facing[load.block];
+        const ModeMatrices held = find_actuators(model, load.block);
+        limit = std::min(limit, block_limit(model, partners, block, held, find_upright_axis(block), sides));
+    }
     if (!std::isfinite(limit)) throw std::invalid_argument("compute_critical_time_step: the model has no moving block");
     return limit;
 }
@@ -292,7 +331,7 @@ int compute_landing_halvings(const Model& model) {
         if (!model.shapes[block.shape].faceted) return;
         const Shape& shape = model.shapes[block.shape];
         for (Eigen::Index axis = 0; axis < (shape.solid != nullptr ? 1 : 3); ++axis) {
-            lying = std::min(lying, block_limit(model, partners, block, axis));
+            lying = std::min(lying, block_limit(model, partners, block, {}, axis, {}));
         }
         double stiffness = partners.stiffest(block).normal_stiffness;
         if (model.ground.present) stiffness = std::max(stiffness, make_ground_interface(model, block).normal_stiffness);

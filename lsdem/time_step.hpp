@@ -14,6 +14,7 @@ namespace musim::lsdem {
 /// before a block leaves its place, see find_facing_sides, and the one that faces away from it, each with the faces within 15°), with
 /// everything else held; the factor 2 drops out against the
 /// ground and against fixed blocks. For a chain this is the exact limit; it counts normal and shear springs, rocking and their coupling.
+/// An actuator (Load) adds its spring and dashpot to its block's.
 /// Blocks that differ in height only (Block::height_offset) count by the shortest and the tallest: what lies between is no
 /// stiffer by more than (4σ_H/H)²/2, and only where the heights straddle a width.
 /// Frequencies: similitude of the tower, docs/theory/integration.md. Throws std::invalid_argument when the model has no moving block or a

@@ -5,12 +5,13 @@
 
 namespace musim::lsdem::detail {
 
-void TouchList::rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs) {
+void TouchList::rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs, const std::vector<std::uint32_t>& loaded) {
     begin_.assign(blocks + 2, 0);
     for (const ContactPair& pair : pairs) {
         ++begin_[pair.leader + 1];
         ++begin_[pair.follower + 1];
     }
+    for (const std::uint32_t block : loaded) ++begin_[block + 1];
     for (std::size_t i = 0; i <= blocks; ++i) begin_[i + 1] += begin_[i];
     touches_.resize(begin_.back());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
@@ -18,6 +19,8 @@ void TouchList::rebuild(std::size_t blocks, const std::vector<ContactPair>& pair
         touches_[next[pairs[p].leader]++] = {p, true};
         touches_[next[pairs[p].follower]++] = {p, false};
     }
+    auto force = static_cast<std::uint32_t>(pairs.size());
+    for (const std::uint32_t block : loaded) touches_[next[block]++] = {force++, true};
 }
 
 namespace {

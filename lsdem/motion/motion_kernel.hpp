@@ -13,15 +13,17 @@
 
 namespace musim::lsdem::detail {
 
-/// The pairs of every block and of the ground, in the order of the list, so that sums run in one order whatever the threads.
+/// The pairs of every block and of the ground, in the order of the list, and the loads on it, so that sums run in one order whatever the
+/// threads.
 class TouchList {
   public:
-    void rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs);
+    /// `loaded`: the block of each load, whose force stands behind those of the pairs.
+    void rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs, const std::vector<std::uint32_t>& loaded);
 
     struct Load {
         Vector3 force, torque;  ///< [N], about the centre of mass [N·m]
     };
-    /// Sum of all contacts on body i.
+    /// Sum of all contacts and loads on body i.
     Load sum(std::size_t i, const std::vector<PairForce>& forces) const {
         Load load{Vector3::Zero(), Vector3::Zero()};
         for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) {
@@ -40,7 +42,9 @@ class TouchList {
     /// Sum of a number of each pair over the pairs of block i.
     double sum(std::size_t i, const std::vector<double>& of_pairs) const {
         double total = 0.0;
-        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) total += of_pairs[touches_[t].pair];
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) {
+            if (touches_[t].pair < of_pairs.size()) total += of_pairs[touches_[t].pair];
+        }
         return total;
     }
 

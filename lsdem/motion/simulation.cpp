@@ -29,6 +29,8 @@ void Simulation::Implementation::restart() {
     preparation.damping_rate = 0.0;
     preparation.mass_scaling.end(bodies, list);
     base.restart(bodies);
+    loads.restart(bodies);
+    update_loads(0.0);
     restart_balance();
     steps = {};
     note_leaving();
@@ -162,6 +164,8 @@ Statistics Simulation::statistics() const {
     statistics.max_overlap_over_height = *std::max_element(s.work.overlap.begin(), s.work.overlap.end());
     return statistics;
 }
+
+std::vector<LoadState> Simulation::loads() const { return implementation_->loads.states(); }
 
 PhaseTimes Simulation::phase_times() const { return implementation_->work.times; }
 std::optional<Divergence> Simulation::divergence() const { return implementation_->health.divergence; }

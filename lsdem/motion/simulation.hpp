@@ -18,7 +18,7 @@ namespace musim::lsdem {
 
 /// Energy balance at one instant [J]. Up to the closure error:
 ///   kinetic + gravitational + elastic_normal + elastic_shear + friction_loss + damping_loss + preparation_loss
-///     = initial total + base_work.
+///     = initial total + base_work + load_work.
 struct Energy {
     double kinetic = 0.0;           ///< time-centred: Σ ½ m v(t−h/2)·v(t+h/2), h the last substep, and likewise for the spin
     double gravitational = 0.0;     ///< −Σ m g·(x − x_start)
@@ -28,9 +28,10 @@ struct Energy {
     double damping_loss = 0.0;      ///< work of the dashpots since the start
     double base_work = 0.0;         ///< work done by the moving base since the start
     double preparation_loss = 0.0;  ///< work of the velocity damping since the start
+    double load_work = 0.0;         ///< work done by loads on their blocks since the start
 
     double mechanical() const { return kinetic + gravitational + elastic_normal + elastic_shear; }
-    double balance() const { return mechanical() + friction_loss + damping_loss + preparation_loss - base_work; }
+    double balance() const { return mechanical() + friction_loss + damping_loss + preparation_loss - base_work - load_work; }
 };
 
 /// Time-centred kinematics of all blocks at one instant, structure of arrays, world frame.
@@ -167,9 +168,9 @@ class Simulation {
 
     /// Ends the present motion of the base: another one begins. The state becomes the start of another run: time is zero, damping off;
     /// energy balance, counters and extremes begin anew. The base goes on from where it is: its displacement is continuous and base()
-    /// counts it anew. Its velocity becomes that of the new motion at once; whoever wants no jump lets both motions meet. Velocities of
-    /// blocks, contacts and their histories are kept; model() has the new motion. Throws std::invalid_argument, and changes nothing, when a
-    /// sample is not finite or a sample interval not positive.
+    /// counts it anew. Its velocity becomes that of the new motion at once; whoever wants no jump lets both motions meet. Loads begin anew.
+    /// Velocities of blocks, contacts and their histories are kept; model() has the new motion. Throws std::invalid_argument, and changes
+    /// nothing, when a sample is not finite or a sample interval not positive.
     void begin_motion(const BaseComponents& motion);
 
     double time() const;         ///< n·dt [s]
@@ -187,7 +188,7 @@ class Simulation {
     Vector3 peak_base_acceleration() const;
     Vector3 base_reaction() const;                     ///< force of the base on the blocks now [N]
     Vector3 base_couple() const;                       ///< of the base on the blocks now, about its pivot [N·m]
-    Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
+    Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces and loads on a block now [N]
     Vector3 contact_torque(std::size_t block) const;   ///< of these about its centre of mass, world frame [N·m]
     std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, in the order of their blocks' numbers
 
@@ -199,7 +200,8 @@ class Simulation {
 
     /// Completes the elastic energies of overlaps, which steps leave rough: not for two threads at a time.
     Energy energy() const;
-    Losses losses() const;  ///< where friction and dashpots dissipated energy [J]
+    Losses losses() const;                 ///< where friction and dashpots dissipated energy [J]
+    std::vector<LoadState> loads() const;  ///< of Model::loads now
     Statistics statistics() const;
     PhaseTimes phase_times() const;  ///< since the start, or since the state was restored
     std::optional<Divergence> divergence() const;

@@ -13,6 +13,7 @@
 #include "lsdem/contact/stiffness_watch.hpp"
 #include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
+#include "lsdem/motion/applied_loads.hpp"
 #include "lsdem/motion/carrying_base.hpp"
 #include "lsdem/motion/mass_scaling.hpp"
 #include "lsdem/motion/motion_kernel.hpp"
@@ -87,6 +88,7 @@ struct Simulation::Implementation {
     NeighborSearch search;
     ContactList list;
     double smallest_edge = 0.0;  ///< of all blocks [m]
+    AppliedLoads loads;
     PreparationAids preparation;
     StepCount steps;
     EnergyBase balance;
@@ -106,6 +108,8 @@ struct Simulation::Implementation {
     /// Moves all by `h` [s], to the time at which the base is where its motion has it then.
     void move(double h, double time);
     void update_contacts();
+    /// Forces of the loads at a time, unless the structure is being prepared.
+    void update_loads(double time);
     /// Looks for a block that has left its place, unless one has.
     void note_leaving();
     void rebuild();

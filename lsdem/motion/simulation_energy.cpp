@@ -48,6 +48,7 @@ void Simulation::Implementation::restart_balance() {
     clear_losses(list);
     balance.finished = Losses{.block = std::vector<PairWork>(bodies.size()), .ground = {}};
     std::fill(bodies.preparation_loss.begin(), bodies.preparation_loss.end(), 0.0);
+    loads.forget_work();
     balance.start = find_exact_energy().balance();
     balance.start_energy = stored_and_kinetic();
 }
@@ -109,6 +110,7 @@ Energy Simulation::Implementation::find_energy() const {
     energy.friction_loss = before.friction + contacts.work.friction;
     energy.damping_loss = before.damping + contacts.work.damping;
     energy.base_work = base.work();
+    energy.load_work = loads.work();
     return energy;
 }
 
@@ -131,7 +133,7 @@ void Simulation::Implementation::check_health() {
     find_non_finite();
     if (health.divergence) return;
     const double time = static_cast<double>(steps.done) * dt;
-    const double put_in = balance.start_energy + std::max(0.0, -gravitational()) + std::abs(base.work());
+    const double put_in = balance.start_energy + std::max(0.0, -gravitational()) + std::abs(base.work()) + std::abs(loads.work());
     const double allowed = kEnergyFactor * put_in + balance.floor;
     const double balance_bound = preparation.mass_scaling.is_active() ? kMassScalingBalanceBound : kBalanceBound;
     const auto out_of_bounds = [&] {

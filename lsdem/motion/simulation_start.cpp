@@ -52,6 +52,18 @@ void check_model(const Model& model, double time_step) {
     }
 }
 
+void check_loads(const Model& model) {
+    for (const Load& load : model.loads) {
+        require(load.block < model.blocks.size(), "Simulation: a load names a block that does not exist");
+        require(load.point.allFinite() && std::isfinite(load.force) && std::isfinite(load.displacement) && std::isfinite(load.stiffness),
+                "Simulation: a load is not finite");
+        require(std::abs(load.direction.norm() - 1.0) < 1e-9, "Simulation: a load's direction must have unit length");
+        require(load.start >= 0.0 && load.rise > 0.0 && std::isfinite(load.start + load.rise),
+                "Simulation: a load must not begin before the run, and must take some time to grow");
+        require(load.is_actuator() || load.force > 0.0, "Simulation: a load must have a force, or an actuator's stiffness");
+    }
+}
+
 int choose_threads(int wanted, std::size_t blocks) {
     const int useful = static_cast<int>(std::min<std::size_t>(blocks / kBlocksPerThread + 1, 1024));
     return std::clamp(wanted, 1, useful);
@@ -83,6 +95,7 @@ std::vector<std::size_t> find_carried(const Model& model) {
 /// Model that has passed its checks; everything else may rely on it.
 Model checked(Model model, double time_step) {
     check_model(model, time_step);
+    check_loads(model);
     return model;
 }
 
@@ -102,6 +115,7 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
       bodies(model),
       base(model.ground.motion, find_carried(model)),
       search(model),
+      loads(model),
       preparation{.damping_rate = model.velocity_damping},
       work(choose_threads(threads, model.blocks.size())) {
     balance.finished.block.resize(model.blocks.size());
@@ -131,6 +145,8 @@ void Simulation::Implementation::start() {
     }
     preload_contacts(model.preload, bodies, list);
     update_contacts();
+    loads.restart(bodies);
+    update_loads(0.0);
     share_work();  // now that it is known what touches
     list.first_step = false;
     clear_losses(list);  // what the step before the start would have dissipated

@@ -29,6 +29,7 @@ void Simulation::Implementation::exchange(Archive& archive) {
     base.exchange(archive);
     archive(preparation.active, steps.done, steps.rebuilds, steps.skipped, steps.substeps, steps.leaving, balance.start_energy,
             balance.start, steps.checks_at_rest, steps.rest_end, health.divergence, health.overstiff, deepest);
+    if (!loads.empty()) archive(loads);
     if (!archive.loads()) return;
     work.overlap.front() = deepest;
     check_restored(model, bodies, search.reference(), list, balance.finished);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "lsdem/contact/overlap_pairs.hpp"
@@ -85,12 +86,13 @@ void Simulation::Implementation::move(double h, double time) {
 void Simulation::Implementation::rebuild() {
     ++steps.rebuilds;
     search.rebuild(bodies, list, balance.finished);
+    list.forces.resize(list.pairs.size() + loads.size());
     if (preparation.mass_scaling.is_active()) preparation.mass_scaling.price(list);
     share_work();
 }
 
 void Simulation::Implementation::share_work() {
-    work.touches.rebuild(bodies.size(), list.pairs);
+    work.touches.rebuild(bodies.size(), list.pairs, loads.blocks());
     work.end_of_loose = bodies.size();
     while (work.end_of_loose > 0 && bodies.fixed[work.end_of_loose - 1] != 0) --work.end_of_loose;
 
@@ -118,6 +120,11 @@ void Simulation::Implementation::update_contacts() {
     base.bear(work.touches, list.forces, bodies);
 }
 
+void Simulation::Implementation::update_loads(double time) {
+    if (loads.empty() || preparation.active) return;
+    loads.apply(bodies, time, bodies.elapsed, std::span(list.forces).subspan(list.pairs.size()));
+}
+
 /// Number of steps from here in which the base stands and nothing moves.
 std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     // with damping, blocks that hardly move may still fall: forces need not balance
@@ -125,7 +132,8 @@ std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     steps.checks_at_rest = kinetic() <= kEnergyAtRest * balance.weight_times_edge ? steps.checks_at_rest + 1 : 0;
     if (steps.checks_at_rest < kChecksAtRest) return 0;
     const double now = static_cast<double>(steps.done) * dt;
-    const double still = preparation.active ? std::numeric_limits<double>::infinity() : base.motion().still_until(now) - now;
+    const double still = preparation.active ? std::numeric_limits<double>::infinity()
+                                            : std::min(base.motion().still_until(now), loads.still_until(now)) - now;
     return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
 }
 
@@ -148,7 +156,8 @@ void Simulation::Implementation::step() {
     ++steps.done;
     for (std::uint64_t substep = 1; substep <= count; ++substep) {
         const auto start = Clock::now();
-        move(part * dt, (before + static_cast<double>(substep) * part) * dt);
+        const double time = (before + static_cast<double>(substep) * part) * dt;
+        move(part * dt, time);
         ++steps.substeps;
         const auto moved = Clock::now();
         work.times.motion += std::chrono::duration<double>(moved - start).count();
@@ -162,6 +171,7 @@ void Simulation::Implementation::step() {
         }
         const auto listed = Clock::now();
         update_contacts();
+        update_loads(time);
         work.times.contacts += seconds_since(listed);
     }
 }

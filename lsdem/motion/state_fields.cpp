@@ -80,7 +80,8 @@ void check_restored(const Model& model, const Bodies& bodies, const NeighborSear
                 losses.block);
     expect_size(blocks + 1, bodies.orientation, bodies.start_position, bodies.start_orientation);
     expect_size(list.demand.wanted ? pairs : 0, list.demand.asked);
-    expect_size(pairs, list.forces, list.tallies, list.next_check, list.faces, list.work);
+    expect_size(pairs + model.loads.size(), list.forces);
+    expect_size(pairs, list.tallies, list.next_check, list.faces, list.work);
     const ContactHistory& history = list.history;
     expect_size(entries, history.damping_pressure, history.late, history.slip[0], history.slip[1], history.slip[2]);
     expect_size(history.has_viscous() ? entries : 0, history.viscous[0], history.viscous[1], history.viscous[2]);

@@ -42,7 +42,9 @@ std::string make_tower_scripts();
 ReportSection make_overview_section(const ReportContent& content);
 /// Velocities of the spine, of a pair with the band of its twins, and how far runs are from the first.
 std::vector<ReportFigure> make_spine_figures(const ReportContent& content);
-/// Profiles and energies of all runs, and speeds where they were found.
+/// Largest forces of loads, and their force over displacement. Nothing for a first run without loads.
+std::optional<ReportSection> make_load_section(const std::vector<ReportedRun>& runs);
+/// Profiles and energies of all runs, loads where there are any, and speeds where they were found.
 std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs);
 /// Peaks of the sensors of all runs, histories of the first. Nothing where none has any.
 std::optional<ReportSection> make_sensor_section(const std::vector<ReportedRun>& runs);

@@ -285,6 +285,7 @@ ReportFigure make_energy_figure(const ReportedRun& run) {
     add("lost by friction", [](const Energy& e) { return e.friction_loss; });
     add("lost in dashpots", [](const Energy& e) { return e.damping_loss; });
     add("work of the base", [](const Energy& e) { return e.base_work; });
+    if (!run.run.loads.empty()) add("work of the loads", [](const Energy& e) { return e.load_work; });
     return over_time(make_figure(name_figure("energy", run.label), plot), 1.0);
 }
 

@@ -105,6 +105,7 @@ std::vector<ReportFigure> make_spine_figures(const ReportContent& content) {
 std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs) {
     ReportSection profiles{.id = "profiles", .title = "What it left, level by level", .figures = make_profile_figures(runs)};
     std::vector<ReportSection> sections{std::move(profiles)};
+    if (std::optional<ReportSection> loads = make_load_section(runs)) sections.push_back(std::move(*loads));
     if (std::optional<ReportSection> speed = make_speed_section(runs)) sections.push_back(std::move(*speed));
     sections.push_back(make_energy_section(runs));
     if (std::optional<ReportSection> sensors = make_sensor_section(runs)) sections.push_back(std::move(*sensors));

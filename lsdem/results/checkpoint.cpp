@@ -18,9 +18,11 @@
 namespace musim::lsdem {
 
 static void exchange(Archive& archive, Energy& e) {
-    archive(e.kinetic, e.gravitational, e.elastic_normal, e.elastic_shear, e.friction_loss, e.damping_loss, e.base_work,
-            e.preparation_loss);
+    archive(e.kinetic, e.gravitational, e.elastic_normal, e.elastic_shear, e.friction_loss, e.damping_loss, e.base_work, e.preparation_loss,
+            e.load_work);
 }
+
+static void exchange(Archive& archive, LoadState& l) { archive(l.force, l.displacement); }
 
 static void exchange(Archive& archive, Kinematics& k) { archive(k.time, k.position, k.orientation, k.velocity, k.angular_velocity); }
 
@@ -54,7 +56,7 @@ static void exchange(Archive& archive, SensorHistory& s) {
 static void exchange(Archive& archive, SensorMemory& m) { archive(m.filter, m.last, m.place, m.normal, m.across); }
 
 static void exchange(Archive& archive, History& h) {
-    archive(h.time, h.base, h.spine_position, h.spine_velocity, h.spine_rotation, h.energy);
+    archive(h.time, h.base, h.spine_position, h.spine_velocity, h.spine_rotation, h.energy, h.load);
 }
 
 static void exchange(Archive& archive, Frames& f) { archive(f.time, f.position, f.quaternion, f.velocity, f.contact_force); }

@@ -53,9 +53,9 @@ double compute_energy_closure(const std::vector<Energy>& energy) {
     for (const Energy& now : energy) {
         const Energy& start = energy.front();
         change = std::max(change, std::abs(now.balance() - start.balance()));
-        in_play =
-            std::max(in_play, now.kinetic + std::abs(now.gravitational - start.gravitational) + now.elastic_normal + now.elastic_shear +
-                                  now.friction_loss + now.damping_loss + now.preparation_loss + std::abs(now.base_work));
+        in_play = std::max(in_play, now.kinetic + std::abs(now.gravitational - start.gravitational) + now.elastic_normal +
+                                        now.elastic_shear + now.friction_loss + now.damping_loss + now.preparation_loss +
+                                        std::abs(now.base_work) + std::abs(now.load_work));
     }
     return in_play > 0.0 ? change / in_play : 0.0;
 }

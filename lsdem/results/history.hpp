@@ -29,6 +29,7 @@ struct History {
     std::vector<Vector3> spine_velocity;  ///< [m/s]
     std::vector<Vector3> spine_rotation;  ///< rotation vector from the start to now, seen from the base [rad]
     std::vector<Energy> energy;           ///< [J]
+    std::vector<LoadState> load;          ///< load l at sample k in [k·nl + l]
 
     std::size_t samples() const { return time.size(); }
 };
@@ -109,6 +110,7 @@ struct RunData {
     std::optional<StageOrigin> origin;    ///< of a later stage of a sequence
     BlockTable blocks;
     Spine spine;
+    std::vector<std::string> loads = {};  ///< names of the loads
     History history;  ///< as read from results, energy of all springs is that of normal ones; none in results of versions without energies
     Frames frames;    ///< empty unless the scene asks for them
     Falls falls;      ///< empty in results of versions before they were kept
@@ -164,7 +166,7 @@ std::vector<std::string> head_spine(const RunData& run);
 std::vector<std::size_t> sort_spine_by_height(const RunData& run);
 
 /// Largest change of the energy balance over the largest energy in play,
-///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + W_preparation + |W_base|),
+///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + W_preparation + |W_base| + |W_loads|),
 /// both over the sampled history [-]; 0 when nothing ever moves.
 double compute_energy_closure(const std::vector<Energy>& energy);
 

@@ -56,6 +56,19 @@ void read_names(const Hdf5Reader& file, StoredRun& run) {
     run.blocks.name = std::move(names);
 }
 
+/// Loads, if there are any.
+void read_loads(const Hdf5Reader& file, StoredRun& run) {
+    if (!file.has("/loads/name")) return;
+    StoredRun read;
+    read.loads = file.texts("/loads/name");
+    read.history.time = run.history.time;
+    read.history.energy = run.history.energy;
+    detail::exchange_loads(file, read);
+    run.loads = std::move(read.loads);
+    run.history.load = std::move(read.history.load);
+    run.history.energy = std::move(read.history.energy);
+}
+
 void read_falls(const Hdf5Reader& file, StoredRun& run) {
     if (!file.has("/blocks/fall_time")) return;
     Falls falls;
@@ -149,6 +162,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     };
     take([&] { read_energies(file, run.history.samples(), run.history.energy); });
     take([&] { read_names(file, run); });
+    take([&] { read_loads(file, run); });
     take([&] { detail::exchange_shapes(file, run.blocks.mass.size(), run.blocks.shapes); });
     take([&] { read_falls(file, run); });
     take([&] { read_origin(file, run); });

@@ -71,6 +71,21 @@ void exchange_energies(File& file, std::vector<Energy>& energies) {
     exchange_member(file, "/energy/base_work", energies, &Energy::base_work, "J");
 }
 
+/// Loads of a run that has some.
+template <class File, class Run>
+void exchange_loads(File& file, Run& run) {
+    const std::vector<hsize_t> shape{run.history.samples(), run.loads.size()};
+    std::vector<double> force, displacement;
+    for (const LoadState& load : run.history.load) force.push_back(load.force), displacement.push_back(load.displacement);
+    file.exchange("/loads/force", shape, force, "N");
+    file.exchange("/loads/displacement", shape, displacement, "m");
+    exchange_member(file, "/energy/load_work", run.history.energy, &Energy::load_work, "J");
+    if constexpr (!std::is_const_v<Run>) {
+        run.history.load.clear();
+        for (std::size_t k = 0; k < force.size(); ++k) run.history.load.push_back({force[k], displacement[k]});
+    }
+}
+
 template <class File, class Run>
 void exchange_blocks(File& file, Run& run) {
     const hsize_t n = file.count("/blocks/mass", run.blocks.mass);

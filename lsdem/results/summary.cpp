@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "lsdem/results/load_measures.hpp"
 #include "lsdem/results/outcome.hpp"
 #include "lsdem/results/run_warnings.hpp"
 #include "scaling/angle.hpp"
@@ -42,6 +43,18 @@ nlohmann::json write_sensors(const std::vector<SensorHistory>& sensors) {
     return list;
 }
 
+nlohmann::json write_loads(const RunResult& run) {
+    nlohmann::json list = nlohmann::json::array();
+    const std::vector<LargestLoad> largest = find_largest_loads(run);
+    for (std::size_t l = 0; l < largest.size(); ++l) {
+        list.push_back({{"name", run.loads[l]},
+                        {"largest_force_n", largest[l].force},
+                        {"displacement_m", largest[l].displacement},
+                        {"time_s", largest[l].time}});
+    }
+    return list;
+}
+
 }  // namespace
 
 nlohmann::json make_summary(const RunResult& run) {
@@ -77,6 +90,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"moved", write_moved(run)}};
     }
     if (!run.sensors.empty()) summary["sensors"] = write_sensors(run.sensors);
+    if (!run.loads.empty()) summary["loads"] = write_loads(run);
     summary["outcome"] = to_json(find_outcome(run));
     summary["warnings"] = find_warnings(run);
     if (run.divergence) {

@@ -31,6 +31,10 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     std::vector<Energy> energies = run.history.energy;
     for (Energy& energy : energies) energy.elastic_normal += energy.elastic_shear;
     detail::exchange_energies(file, energies);
+    if (!run.loads.empty()) {
+        file.write_texts("/loads/name", run.loads);
+        detail::exchange_loads(file, run);
+    }
     detail::exchange_blocks(file, run);
     detail::exchange_shapes(file, n, run.blocks.shapes);
     if (run.blocks.is_listed()) file.write_texts("/blocks/name", run.blocks.name);
@@ -75,6 +79,22 @@ std::string make_spine_csv(const RunResult& run) {
     return csv;
 }
 
+/// Time, force and displacement of every load, in SI.
+std::string make_loads_csv(const RunResult& run) {
+    std::string csv = "time_s";
+    for (const std::string& name : run.loads) fmt::format_to(std::back_inserter(csv), ",{0}_force_n,{0}_displacement_m", name);
+    csv += '\n';
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        fmt::format_to(std::back_inserter(csv), "{}", run.history.time[k]);
+        for (std::size_t l = 0; l < run.loads.size(); ++l) {
+            const LoadState& load = run.history.load[k * run.loads.size() + l];
+            fmt::format_to(std::back_inserter(csv), ",{},{}", load.force, load.displacement);
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
 /// A file of a folder, and what folders it leaves empty.
 void remove_file(const std::filesystem::path& directory, const std::filesystem::path& name) {
     std::error_code ignored;
@@ -95,6 +115,7 @@ void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResu
     files_.write(subfolder / "result.xdmf", detail::make_xdmf(run));
     files_.write(subfolder / "spine.csv", make_spine_csv(run));
     for (const SensorTable& table : make_sensor_tables(run.sensors)) files_.write(subfolder / table.name, table.csv);
+    if (!run.loads.empty()) files_.write(subfolder / "loads.csv", make_loads_csv(run));
     files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
 }
 

@@ -105,6 +105,7 @@ Specimen make_upright_specimen(const Scene& scene) {
             .settling = {},
             .level = std::move(built.structure.level),
             .name = std::move(built.structure.name),
+            .load = std::move(built.structure.load),
             .drawn = std::move(drawn),
             .sensors = std::move(sensors)};
 }

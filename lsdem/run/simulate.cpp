@@ -25,11 +25,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void reserve(History& history, const TimePlan& plan, std::size_t spine) {
+void reserve(History& history, const TimePlan& plan, std::size_t spine, std::size_t loads) {
     const std::size_t samples = plan.samples + 1;
     history.time.reserve(samples);
     history.base.reserve(samples);
     history.energy.reserve(samples);
+    history.load.reserve(samples * loads);
     for (auto* series : {&history.spine_position, &history.spine_velocity, &history.spine_rotation}) series->reserve(samples * spine);
 }
 
@@ -76,6 +77,7 @@ void add_sample(RunResult& run, const Simulation& simulation) {
         history.spine_velocity.push_back(simulation.velocity(block));
         history.spine_rotation.push_back(rotation_vector(run.initial.orientation[block], turn_back(base, simulation.orientation(block))));
     }
+    for (const LoadState& load : simulation.loads()) history.load.push_back(load);
     note_falls(run, simulation, simulation.time(), base);
 }
 
@@ -125,6 +127,7 @@ void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
     run.critical_time_step = find_critical_time_step(specimen.model);
     run.spine = specimen.spine;
     run.blocks = make_block_table(specimen);
+    run.loads = specimen.load;
     run.beginning = specimen.beginning;
 }
 
@@ -177,6 +180,7 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
     const std::size_t frames = plan.samples_per_frame > 0 ? done / plan.samples_per_frame + 1 : 0;
     const auto all_of_size = [](std::size_t size, const auto&... vectors) { return ((vectors.size() == size) && ...); };
     return done <= plan.samples && all_of_size(samples, history.time, history.base, history.energy) &&
+           all_of_size(samples * run.loads.size(), history.load) &&
            all_of_size(of_spine, history.spine_position, history.spine_velocity, history.spine_rotation) &&
            all_of_size(frames, run.frames.time) &&
            all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity, run.frames.contact_force) &&
@@ -277,7 +281,7 @@ RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimeP
     run.initial = simulation.kinematics();
     run.start_reaction_over_weight = base_reaction_over_weight(simulation);
     run.falls = begin.falls.time.empty() ? make_falls(specimen, run.initial) : std::move(begin.falls);
-    reserve(run.history, plan, run.spine.size());
+    reserve(run.history, plan, run.spine.size(), run.loads.size());
     add_sample(run, simulation);
     if (plan.samples_per_frame > 0) add_frame(run, simulation);
     SensorReader sensors = SensorReader::begin(simulation, specimen, plan, run);
@@ -318,7 +322,7 @@ RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint ch
     if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run)) {
         throw std::runtime_error("checkpoint: its histories do not fit its state");
     }
-    reserve(run.history, checkpoint.plan, run.spine.size());
+    reserve(run.history, checkpoint.plan, run.spine.size(), run.loads.size());
     SensorReader sensors = SensorReader::resume(simulation, specimen, checkpoint.plan, run);
     carry_on(run, simulation, checkpoint.plan, sensors, checkpoint.samples_done, start, settings);
     return run;

@@ -23,6 +23,7 @@ struct Specimen {
     std::optional<Settling> settling;    ///< how it comes to rest before t = 0; nothing: it starts as it is
     std::vector<int> level = {};         ///< of every block, from 1 at the base, see StructureInfo; empty: the layers
     std::vector<std::string> name = {};  ///< of listed blocks, see BlockTable::name
+    std::vector<std::string> load = {};  ///< names of the loads
     Beginning beginning = Beginning::listed;
     std::vector<BoxPose> drawn = {};  ///< the blocks as the scene has them; empty: not known
     std::vector<PlacedSensor> sensors = {};

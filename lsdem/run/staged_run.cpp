@@ -28,6 +28,7 @@ Energy add_before(Energy now, const Energy& before, double gravitational) {
     now.friction_loss += before.friction_loss;
     now.damping_loss += before.damping_loss;
     now.base_work += before.base_work;
+    now.load_work += before.load_work;
     now.preparation_loss += before.preparation_loss;
     return now;
 }

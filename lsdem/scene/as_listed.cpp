@@ -153,7 +153,7 @@ class Lister {
             BlockEntry& entry = list_.blocks.emplace_back();
             entry.shape = side == 0 ? left : right;
             entry.name = kAbutments[side];
-            entry.fixed = entry.with_base = true;
+            entry.fixed = Held::with_base;
         }
     }
 

@@ -17,6 +17,7 @@
 #include "lsdem/contact_law.hpp"
 #include "lsdem/scene/as_listed.hpp"
 #include "lsdem/scene/base_components.hpp"
+#include "lsdem/scene/detail/lower_loads.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/detail/placement.hpp"
 #include "lsdem/scene/detail/scene_fields.hpp"
@@ -231,11 +232,13 @@ BuiltModel build_model(const Scene& scene) {
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     if (model.ground.motion.turns() && !scene.base_motion.pivot) model.ground.motion.pivot = find_middle_of_base(model);
     model.gravity = detail::to_vector(scene.gravity);
+    model.loads = detail::lower_loads(scene, arrangement.blocks, model);
     if (scene.scatter && scene.scatter->friction != 0.0) model.scatter = {scene.scatter->friction, scene.scatter->seed};
     model.numerics.contact_nodes = scene.contact_nodes;
     model.numerics.face_contact = scene.face_contact;
 
     built.structure.spine = arrangement.spine;
+    for (std::size_t k = 0; k < scene.loads.size(); ++k) built.structure.load.push_back(scene.loads[k].label(k));
     for (const Placement& placement : arrangement.blocks) {
         built.structure.layer.push_back(placement.layer);
         built.structure.level.push_back(placement.level);

@@ -15,6 +15,7 @@ struct StructureInfo {
     std::vector<int> level;         ///< of every block, from 1 at the base: its layer, or what find_levels says of blocks in none
     std::vector<std::string> name;  ///< of every listed block, empty for those without; no entries for other structures
     Spine spine;
+    std::vector<std::string> load;  ///< names of the loads
 };
 
 /// A scene as the kernel takes it.

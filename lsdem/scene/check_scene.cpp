@@ -358,6 +358,7 @@ void check_scene(const Scene& scene, const std::string& origin) {
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
     check_pairs(scene, root.at("pairs"));
 
+    detail::check_loads(scene, root.at("loads"));
     check(scene.base_motion, root.at(tilts(scene) ? "tilt" : "base_motion"), scene);
     if (!scene.motions.empty()) check_motions(scene, root.at("motions"));
     require_fields(scene.ground, root.at("ground"));

@@ -226,6 +226,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         scene.base_motion = detail::parse_tilt(object["tilt"]);
     }
     if (object.has("motions")) scene.motions = detail::parse_motions(object["motions"], origin);
+    if (object.has("loads")) scene.loads = detail::parse_loads(object["loads"]);
     if (object.has("ground")) detail::read_fields(to_object(object["ground"], "ground"), scene.ground);
     read_contact(object, scene);
     remark_settings(object, scene);

@@ -99,6 +99,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
         scaler.scale(entry.base_motion);
         scaler.scale_part(entry);
     }
+    for (LoadEntry& load : scaled.loads) scaler.scale_part(load);
     if (scaled.ground.friction) *scaled.ground.friction *= similitude.friction();
     if (scaled.preparation) scaler.scale(scaled.preparation->damping_rate);
     scaler.scale(scaled.time.duration);

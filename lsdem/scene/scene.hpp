@@ -12,7 +12,10 @@
 
 #include "lsdem/model.hpp"
 #include "lsdem/scene/accuracy_presets.hpp"
+#include "lsdem/scene/held.hpp"
+#include "lsdem/scene/load_entry.hpp"
 #include "lsdem/scene/material_presets.hpp"
+#include "lsdem/scene/pair_entry.hpp"
 #include "lsdem/scene/preparation.hpp"
 #include "lsdem/scene/scene_motion.hpp"
 #include "lsdem/scene/sensors.hpp"
@@ -49,12 +52,11 @@ struct BlockEntry {
     std::array<double, 4> quaternion{1.0, 0.0, 0.0, 0.0};  ///< (w, x, y, z), that frame to world; any length but 0
     Triple<scaling::Velocity> velocity{};                  ///< of the centre of mass, world frame
     Triple<scaling::Frequency> angular_velocity{};         ///< world frame [rad/s]
-    bool fixed = false;                                    ///< held in place
-    bool with_base = false;                                ///< held to the base: it moves as the base does, and not otherwise
-    bool rotation_locked = false;                          ///< translates only
-    std::string material;                                  ///< key of Scene::materials; empty: Scene::material
-    std::optional<scaling::Density> density;               ///< default: that of the material
-    std::string name;                                      ///< in results and messages; empty: its number, counted from 0
+    Held fixed = Held::free;
+    bool rotation_locked = false;             ///< translates only
+    std::string material;                     ///< key of Scene::materials; empty: Scene::material
+    std::optional<scaling::Density> density;  ///< default: that of the material
+    std::string name;                         ///< in results and messages; empty: its number, counted from 0
 
     bool operator==(const BlockEntry&) const = default;
 };
@@ -228,22 +230,6 @@ struct OutputSettings {
     bool operator==(const OutputSettings&) const = default;
 };
 
-/// Names of the scene's own material, and of the plane, in a pair of materials.
-inline constexpr const char* kOwnMaterialName = "material";
-inline constexpr const char* kGroundName = "ground";
-
-/// Joint of blocks of two materials, or of one and the ground, where it does not follow from the two (combine()).
-struct PairEntry {
-    std::array<std::string, 2> of;                       ///< keys of Scene::materials, kOwnMaterialName, kGroundName
-    std::optional<scaling::Stiffness> normal_stiffness;  ///< k_n of the interface over the base of the structure's block
-    std::optional<scaling::Stiffness> shear_stiffness;   ///< k_s likewise
-    std::optional<double> friction;                      ///< Coulomb coefficient μ [-]
-    std::optional<double> restitution;                   ///< in (0, 1] [-]
-    std::optional<double> shear_damping_ratio;           ///< ζ_s [-]
-
-    bool operator==(const PairEntry&) const = default;
-};
-
 /// Names in a scene of the ways in which boxes meet, in the order of FaceContact.
 const std::vector<std::string>& face_contact_names();
 
@@ -269,6 +255,7 @@ struct Scene {
     std::optional<Scatter> scatter;  ///< default: none
     SceneMotion base_motion;
     std::vector<MotionEntry> motions;  ///< instead of base_motion: one after another, see motions.hpp
+    std::vector<LoadEntry> loads;      ///< beside the weight
     GroundSettings ground;
     std::optional<Preparation> preparation;  ///< default: at rest under its weight; single blocks begin as listed
     ContactNodes contact_nodes = ContactNodes::leader;

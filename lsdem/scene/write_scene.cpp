@@ -71,6 +71,7 @@ class SceneWriter {
             root["preparation"] = preparation;
         }
         for (const PairEntry& pair : scene.pairs) root["pairs"].push_back(write_part(pair, ordered_json{{"of", pair.of}}));
+        for (const LoadEntry& load : scene.loads) root["loads"].push_back(to_json(load));
         if (scene.accuracy) root["accuracy"] = to_string(*scene.accuracy);
         for (const SensorEntry& sensor : scene.sensors) root["sensors"].push_back(to_json(sensor));
         return root;
@@ -105,6 +106,10 @@ class SceneWriter {
         return {write(tensor[0]), write(tensor[1]), write(tensor[2])};
     }
     ordered_json write(SensorAxes axes) const { return kSensorAxes.at(static_cast<std::size_t>(axes)); }
+    ordered_json write(Held held) const {
+        if (held == Held::with_base) return "base";
+        return held == Held::in_place;
+    }
     ordered_json write(ShapeAxis axis) const { return detail::kShapeAxes.at(static_cast<std::size_t>(axis)); }
     ordered_json write(const ChosenPart& part) const {
         return std::visit([](const auto& which) -> ordered_json { return which; }, part);
@@ -280,6 +285,12 @@ class SceneWriter {
         object["factors"] = write_part(motion.factors);
         if (motion.factors.velocity_vertical == motion.factors.velocity) object["factors"].erase("velocity_vertical");
         return object;
+    }
+
+    ordered_json to_json(const LoadEntry& load) const {
+        ordered_json object{{"block", load.block}};
+        if (!load.name.empty()) object["name"] = load.name;
+        return write_part(load, object);
     }
 
     ordered_json to_json(const MotionEntry& entry) const {

@@ -30,7 +30,7 @@ bool same_energy(const Energy& p, const Energy& m, const BackScaling& back) {
     return back.same(p.kinetic, m.kinetic) && back.same(p.gravitational, m.gravitational) &&
            back.same(p.elastic_normal, m.elastic_normal) && back.same(p.elastic_shear, m.elastic_shear) &&
            back.same(p.friction_loss, m.friction_loss) && back.same(p.damping_loss, m.damping_loss) &&
-           back.same(p.base_work, m.base_work) && back.same(p.preparation_loss, m.preparation_loss);
+           back.same(p.base_work, m.base_work) && back.same(p.load_work, m.load_work) && back.same(p.preparation_loss, m.preparation_loss);
 }
 
 bool same_losses(const Losses& p, const Losses& m, const BackScaling& back) {
@@ -65,6 +65,12 @@ bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, c
             return false;
         }
     }
+    const BackScaling force{similitude.force()};
+    const bool same_loads =
+        std::equal(p.load.begin(), p.load.end(), m.load.begin(), m.load.end(), [&](const LoadState& a, const LoadState& b) {
+            return force.same(a.force, b.force) && length.same(a.displacement, b.displacement);
+        });
+    if (!same_loads) return false;
     const Kinematics& a = prototype.final;
     const Kinematics& b = model.final;
     const auto same_orientation = [](const Quaternion& x, const Quaternion& y) { return x.coeffs() == y.coeffs(); };

@@ -28,7 +28,7 @@ const std::vector<AbsentFeature>& absent_features() {
                       {"spring", "tie", "cable", "tendon", "anchor", "prestress", "clamp", "dowel", "bolt", "connector"}},
         AbsentFeature{"damper or isolator (what damps is the contacts' restitution and \"shear_damping_ratio\")",
                       {"damper", "damping", "isolator", "isolation", "bearing", "rayleigh", "viscosity"}},
-        AbsentFeature{"load but weight and the motion of the base",
+        AbsentFeature{"load but weight, the motion of the base and \"loads\" at points of blocks",
                       {"load", "force", "pressure", "impact", "moment", "explosion", "blast"}},
         AbsentFeature{
             "block that bends or breaks (blocks are rigid; elasticity is that of the contacts, \"normal_stiffness\" is E A/H)",

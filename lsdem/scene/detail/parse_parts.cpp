@@ -59,6 +59,8 @@ BlockEntry parse_block(const JsonReader& value, bool needs_size) {
     }
     if ((needs_size && block.shape.empty()) || object.has("size")) block.size = object.get<Triple<scaling::Length>>("size");
     read_fields(object, block);
+    // another way to write it
+    if (object.find<bool>("with_base").value_or(false)) block.fixed = Held::with_base;
     object.read("material", block.material);
     object.read("name", block.name);
     return block;
@@ -200,6 +202,16 @@ void read_value(const JsonReader& json, records::AtRest& at_rest) {
     }
 }
 
+void read_value(const JsonReader& json, Held& held) {
+    if (json.json().is_boolean()) {
+        held = json.json().get<bool>() ? Held::in_place : Held::free;
+    } else if (json.json() == "base") {
+        held = Held::with_base;
+    } else {
+        json.fail("true (held in place), \"base\" (held to the base, with which it moves) or false is wanted; write one of them");
+    }
+}
+
 void read_value(const JsonReader& json, std::array<scaling::Time, 2>& window) {
     if (!json.json().is_array() || json.json().size() != 2) json.fail("a list of two times is wanted; write [\"225 s\", \"265 s\"]");
     const std::vector<JsonReader> times = json.entries();
@@ -292,6 +304,20 @@ Scatter parse_scatter(const JsonReader& value) {
     Scatter scatter;
     read_fields(to_object(value, "scatter"), scatter);
     return scatter;
+}
+
+std::vector<LoadEntry> parse_loads(const JsonReader& list) {
+    if (!list.json().is_array()) list.fail("a list [ ... ] of loads is wanted; correct the value");
+    std::vector<LoadEntry> loads;
+    for (const JsonReader& value : list.entries()) {
+        const JsonReader object = to_object(value, "load");
+        LoadEntry& load = loads.emplace_back();
+        object.read("name", load.name);
+        const JsonReader block = object["block"];
+        load.block = block.json().is_string() ? block.text() : std::to_string(block.as<std::size_t>());
+        read_fields(object, load);
+    }
+    return loads;
 }
 
 namespace {

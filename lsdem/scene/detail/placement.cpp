@@ -64,8 +64,8 @@ class ListPlacer {
         block.orientation = Quaternion(w, x, y, z).normalized();
         block.velocity = to_vector(entry.velocity);
         block.angular_velocity = to_vector(entry.angular_velocity);
-        block.fixed = entry.fixed || entry.with_base;
-        block.with_base = entry.with_base;
+        block.fixed = entry.fixed != Held::free;
+        block.with_base = entry.fixed == Held::with_base;
         block.rotation_locked = entry.rotation_locked;
         block.material = entry.material;
         if (entry.density) block.density = entry.density->value();

@@ -86,6 +86,9 @@ void check_name(const std::string& name, const JsonPlace& place);
 /// That each of the sensors of a scene reads something that there is. Whether there is its block is found with the model.
 void check_sensors(const Scene& scene, const JsonPlace& place);
 
+/// Each of the loads of a scene by itself; which blocks they act on is found with the model.
+void check_loads(const Scene& scene, const JsonPlace& place);
+
 /// Each of the shapes of a scene, and that blocks name one of them.
 void check_shapes(const Scene& scene, const JsonPlace& root);
 

@@ -51,6 +51,10 @@ struct ContactField {
     constexpr auto field_of_pair() const { return Field{key, of_pair, range}; }
 };
 
+template <class Value>
+ContactField(const char*, Value BlockMaterial::*, std::optional<Value> PairEntry::*, double Material::*, Range = Range::any, bool = false)
+    -> ContactField<Value>;
+
 /// In the order of kMaterialFields.
 inline constexpr auto kContactFields = std::tuple{
     ContactField{"normal_stiffness", &BlockMaterial::normal_stiffness, &PairEntry::normal_stiffness, &Material::normal_stiffness,
@@ -148,7 +152,6 @@ inline constexpr auto kFields<BlockEntry> = std::tuple{
     Field{"velocity", &BlockEntry::velocity, Range::finite},
     Field{"angular_velocity", &BlockEntry::angular_velocity, Range::finite},
     Field{"fixed", &BlockEntry::fixed},
-    Field{"with_base", &BlockEntry::with_base},
     Field{"rotation_locked", &BlockEntry::rotation_locked},
     Field{"density", &BlockEntry::density, Range::positive},
 };
@@ -302,6 +305,16 @@ inline constexpr auto kFields<MotionEntry> = std::tuple{
     Field{"duration", &MotionEntry::duration, Range::positive},
     Field{"settle", &MotionEntry::settle},
     Field{"repeat", &MotionEntry::repeat},
+};
+/// Behind its name and block.
+template <>
+inline constexpr auto kFields<LoadEntry> = std::tuple{
+    Field{"point", &LoadEntry::point, Range::finite},
+    Field{"force", &LoadEntry::force, Range::finite},
+    Field{"displacement", &LoadEntry::displacement, Range::finite},
+    Field{"stiffness", &LoadEntry::stiffness, Range::positive},
+    Field{"start", &LoadEntry::start, Range::not_negative},
+    Field{"rise", &LoadEntry::rise, Range::positive, kRequired},
 };
 template <>
 inline constexpr auto kFields<GroundSettings> = std::tuple{

@@ -48,6 +48,8 @@ Structure parse_structure(const scaling::JsonReader& value, const std::filesyste
 Assembly parse_structures(const scaling::JsonReader& list, const std::filesystem::path& origin, bool needs_size);
 /// "scatter".
 Scatter parse_scatter(const scaling::JsonReader& value);
+/// "loads".
+std::vector<LoadEntry> parse_loads(const scaling::JsonReader& list);
 /// "base_motion".
 SceneMotion parse_base_motion(const scaling::JsonReader& value, const std::filesystem::path& origin);
 SceneMotion parse_tilt(const scaling::JsonReader& value);
@@ -71,6 +73,7 @@ void read_value(const scaling::JsonReader& json, records::ColumnChoices& columns
 void read_value(const scaling::JsonReader& json, records::AtRest& at_rest);
 void read_value(const scaling::JsonReader& json, std::array<scaling::Time, 2>& window);
 void read_value(const scaling::JsonReader& json, ShapeAxis& axis);
+void read_value(const scaling::JsonReader& json, Held& held);
 /// Three factors, or one for all.
 void read_value(const scaling::JsonReader& json, std::array<double, 3>& scale);
 void read_value(const scaling::JsonReader& json, ChosenPart& part);
