@@ -86,6 +86,21 @@ AxisMotion measure_axis(const BaseMotion& base, const BaseComponent& component, 
     return measured;
 }
 
+AxisTurn measure_turn(const BaseMotion& base, const BaseComponent& component, std::size_t axis, double end) {
+    AxisTurn measured{.axis = kAxes[axis]};
+    const auto a = static_cast<int>(axis);
+    for (std::size_t k = 0; k < component.velocity.size(); ++k) {
+        const double time = component.start + static_cast<double>(k) * component.dt;
+        if (time > end) break;
+        measured.angle = std::max(measured.angle, std::abs(base.angle(time)[a]));
+        measured.rate = std::max(measured.rate, std::abs(component.velocity[k]));
+        if (k == 0) continue;
+        measured.acceleration = std::max(measured.acceleration, std::abs(component.velocity[k] - component.velocity[k - 1]) / component.dt);
+    }
+    measured.angle = std::max(measured.angle, std::abs(base.angle(end)[a]));
+    return measured;
+}
+
 }  // namespace
 
 MotionSummary summarize_motion(const Scene& scene, const std::string& name, const BaseComponents& base, const TimePlan& plan) {
@@ -96,6 +111,9 @@ MotionSummary summarize_motion(const Scene& scene, const std::string& name, cons
         if (base.shift[axis].velocity.empty()) continue;
         summary.axes.push_back(measure_axis(motion, base.shift[axis], axis, plan.duration()));
         summary.axes.back().change = changes[axis];
+    }
+    for (std::size_t axis = 0; axis < base.turn.size(); ++axis) {
+        if (!base.turn[axis].velocity.empty()) summary.turns.push_back(measure_turn(motion, base.turn[axis], axis, plan.duration()));
     }
     const auto* record = std::get_if<RecordMotion>(&scene.base_motion.source);
     if (record != nullptr && record->scale) summary.similitude = make_similitude(*record->scale);

@@ -20,14 +20,23 @@ struct AxisMotion {
     std::optional<double> predominant_period = {};  ///< of the largest PSA at 5 % damping, from 4 samples to half the motion [s]
 };
 
+/// Turn of the base about one axis while a run lasts: largest of a component of its rotation vector, of the rate and of its slope.
+struct AxisTurn {
+    char axis = 'x';
+    double angle = 0.0, rate = 0.0, acceleration = 0.0;  ///< [rad, rad/s, rad/s²]
+};
+
 /// One motion of the base, and the run that it shakes.
 struct MotionSummary {
     std::string name;                                    ///< of one of several motions; empty: the only one
     std::string source;                                  ///< "record CICLC.v1, ...", "synthetic signal along x", or "none, the base rests"
     std::vector<AxisMotion> axes = {};                   ///< that move
+    std::vector<AxisTurn> turns = {};                    ///< about which it turns
     std::optional<scaling::Similitude> similitude = {};  ///< by which a prototype's record was made the model's
     BaseComponents base = {};
     TimePlan plan = {};
+
+    bool rests() const { return axes.empty() && turns.empty(); }  ///< does the base?
 };
 
 /// Summary of the motion of a scene that has one. `base`: the ground's motion in the scene's model. Throws scaling::SimilitudeError,

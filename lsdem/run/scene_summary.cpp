@@ -162,7 +162,7 @@ void add_warnings(const Scene& scene, SceneSummary& summary) {
     summary.warnings = scene.text.remarks;
     const auto warn = [&](const std::string& what) { summary.warnings.push_back(scene.place() + ": " + what); };
     for (const std::string& cut : describe_cut_motions(scene)) warn(cut);
-    if (!is_listed(scene) && summary.motions.front().axes.empty()) {
+    if (!is_listed(scene) && summary.motions.front().rests()) {
         warn("the base rests; give a \"base_motion\" to shake the structure");
     }
     if (const std::string unrest = describe_unrest(scene, summary); !unrest.empty()) warn(unrest);

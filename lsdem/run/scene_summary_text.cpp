@@ -6,6 +6,7 @@
 
 #include "lsdem/results/summary.hpp"
 #include "lsdem/run/scene_summary.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::lsdem {
@@ -109,6 +110,10 @@ void describe_motion(const MotionSummary& motion, std::vector<std::string>& line
             has_peaks ? "" : fmt::format(", PGV {}, PGD {}", write<scaling::Velocity>(axis.pgv, 3), write<scaling::Length>(axis.pgd, 3)),
             axis.predominant_period ? ", predominant period " + write<scaling::Time>(*axis.predominant_period, 3) : ""));
     }
+    for (const AxisTurn& turn : motion.turns) {
+        lines.push_back(fmt::format("            about {}: {:.4g} deg, {:.4g} deg/s, {:.4g} deg/s^2 at most", turn.axis,
+                                    scaling::kDegrees * turn.angle, scaling::kDegrees * turn.rate, scaling::kDegrees * turn.acceleration));
+    }
     if (!motion.similitude) return;
     const scaling::Similitude& s = *motion.similitude;
     const std::string scale =
@@ -180,6 +185,13 @@ json to_json(const MotionSummary& motion) {
                 {"duration_s", motion.plan.duration()},
                 {"steps", motion.plan.steps()},
                 {"samples", motion.plan.samples + 1}};
+    if (!motion.turns.empty()) object["turns"] = json::array();
+    for (const AxisTurn& turn : motion.turns) {
+        object["turns"].push_back({{"axis", std::string(1, turn.axis)},
+                                   {"angle_rad", turn.angle},
+                                   {"angular_velocity_rad_s", turn.rate},
+                                   {"angular_acceleration_rad_s2", turn.acceleration}});
+    }
     if (!motion.name.empty()) object["name"] = motion.name;
     if (motion.similitude) object["similitude"] = lsdem::to_json(*motion.similitude);
     return object;

@@ -289,13 +289,12 @@ ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene) {
         fmt::format("spine_rate: samples a second of the blocks along one edge ({} in the prototype); without it every step is kept",
                     scaling::format_quantity(rounded(similitude.to_prototype(scene.output.spine_rate), 2), 3)),
         "frame_rate: positions of all blocks a second, for films and the 3D view of a report; without it there are none"};
-    text.kept = {"/structure/height_deviation",
-                 "/structure/seed",
-                 "/base_motion/direction",
-                 "/base_motion/scale/law",
-                 "/base_motion/seed",
-                 "/time/step",
-                 "/time/safety"};
+    text.kept = {"/structure/height_deviation", "/structure/seed", "/time/step", "/time/safety"};
+    if (tilts(scene)) {
+        text.kept.insert({"/tilt/about", "/tilt/until"});
+    } else {
+        text.kept.insert({"/base_motion/direction", "/base_motion/scale/law", "/base_motion/seed"});
+    }
     return text;
 }
 

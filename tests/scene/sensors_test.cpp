@@ -31,7 +31,7 @@ const std::string kSensors = R"(
     {"name": "V0", "kind": "velocity", "block": "ground", "rate": "1 kHz", "filter": "none", "relative": true},
     {"name": "J3", "kind": "joint", "blocks": ["lintel", "pier"], "normal": [0, 0, 2], "rate": 250})";
 
-std::string refusal_of(const std::string& sensors, const std::string& more = "") {
+std::string refusal_of_sensors(const std::string& sensors, const std::string& more = "") {
     return error_of([&] { make_model(parse_scene(make_instrumented_text(sensors, more), "s.json")); });
 }
 
@@ -113,9 +113,9 @@ TEST_CASE("sensors that read nothing that there is are refused in a line each") 
               {"/sensors/0/filter/order: 9 (must be from 1 to 8)"}},
              {sensor(R"("kind": "velocity", "block": "pier", "quaternion": [0, 0, 0, 0])"), {"/sensors/0/quaternion"}}}) {
         CAPTURE(sensors);
-        check_message(refusal_of(sensors), parts);
+        check_message(refusal_of_sensors(sensors), parts);
     }
-    check_message(refusal_of(sensor(R"("kind": "velocity", "block": "ground")"), R"(, "ground": {"present": false})"),
+    check_message(refusal_of_sensors(sensor(R"("kind": "velocity", "block": "ground")"), R"(, "ground": {"present": false})"),
                   {"/sensors/0/block: there is no ground"});
 }
 

@@ -26,7 +26,7 @@ Scene parse_turning(const std::string& more, const std::filesystem::path& origin
 
 /// A text record of a gyroscope and of a wave that runs along x: rates about two axes, and velocities along z and y.
 struct TurningRecord {
-    tests::TemporaryFolder folder;
+    musim::tests::TemporaryFolder folder;
 
     TurningRecord() {
         std::ofstream file(folder.path() / "six.csv");

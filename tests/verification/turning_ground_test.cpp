@@ -8,6 +8,7 @@
 
 #include "lsdem/finite_turn.hpp"
 #include "lsdem/motion/simulation.hpp"
+#include "lsdem/rotation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motion.hpp"
@@ -81,7 +82,7 @@ TEST_CASE("a scene on a turned ground under turned gravity is the scene itself")
         const Vector3 from_base = a.position(i) - a.base().displacement;
         moved = std::max(moved, (from_base - upright.blocks[i].position).norm());
         difference = std::max(difference, (from_base - turn.conjugate() * (b.position(i) - b.base().displacement)).norm());
-        difference = std::max(difference, wood().size.z() * a.orientation(i).angularDistance(turn.conjugate() * b.orientation(i)));
+        difference = std::max(difference, wood().size.z() * rotation_vector(a.orientation(i), turn.conjugate() * b.orientation(i)).norm());
     }
     REQUIRE(moved > 0.05 * wood().size.x());
     CHECK(difference < 1e-6 * moved);
@@ -99,7 +100,7 @@ TEST_CASE("what is held to the base moves with any point of it through finite tu
     Simulation s(model, 1e-6);
     double away = 0.0, turned = 0.0, velocity = 0.0, fastest = 0.0;
     for (int sample = 0; sample < 50; ++sample) {
-        s.advance(1000);
+        s.advance(1003);  // never where a motion ends, and its acceleration jumps
         const BaseState base = s.base();
         away = std::max(away, (base.seen_from_base(s.position(0)) - model.blocks[0].position).norm());
         turned = std::max(turned, (base.turn.conjugate() * s.orientation(0)).angularDistance(model.blocks[0].orientation));
@@ -118,13 +119,15 @@ TEST_CASE("what is held to the base moves with any point of it through finite tu
 }
 
 // [Yim80]: once the block has left its base it turns about the edge that the base turns about, I φ″ = m g R sin(φ − α), whatever the base
-// does; it leaves when the base pulls away, θ″ < p² sin(θ − α).
+// does; it leaves when the base pulls away, θ″ < p² sin(θ − α). Up to 0.9 of that the base may pull it at first, or it would tip the
+// other way.
+
 TEST_CASE("a block on a base that rocks about its edge leaves it and rocks by the equation of a block about an edge") {
     Stone stone = reference_wood();
     stone.friction = 10.0;
     const double b = stone.size.x(), h = stone.size.z(), alpha = std::atan(b / h), radius = 0.5 * std::hypot(b, h);
     const double p_squared = 0.75 * kGravity / radius;  // of a rectangle about its edge, m g R/I with I = 4/3 m R²
-    const double angle = 0.25 * alpha, omega = std::sqrt(2.0 * 1.2 * p_squared * std::sin(alpha) / angle);
+    const double angle = 0.25 * alpha, omega = std::sqrt(2.0 * 0.9 * p_squared * std::sin(alpha) / angle);
     Model model = make_resting_column(stone, 1);
     const double period = 2.0 * kPi / omega;
     model.ground.motion.turn[1] = there_and_back(angle, period);
