@@ -21,24 +21,27 @@ struct Group {
 };
 
 std::vector<Group> list_groups() {
-    return {
-        {"Scale a model test",
-         {{"scale", add_scale_command}, {"rescale", add_rescale_command}, {"design", add_design_command}, {"pi", add_pi_command}}},
-        {"Prepare a ground motion, check a shake table", {{"record", add_record_command}, {"table", add_table_command}}},
-        {"Describe a structure",
-         {{"new", add_new_command},
-          {"check", add_check_command},
-          {"calibrate", add_calibrate_command},
-          {"specimen", add_specimen_command}}},
-        {"Shake it",
-         {{"run", add_run_command}, {"sequence", add_sequence_command}, {"ensemble", add_ensemble_command}, {"watch", add_watch_command}}},
-        {"Compare prototype and models", {{"pair", add_pair_command}}},
-        {"See results",
-         {{"report", add_report_command},
-          {"response", add_response_command},
-          {"field", add_field_command},
-          {"export", add_export_command}}},
-        {"Measure how exact musim is", {{"bench", add_bench_command}}}};
+    return {{"Scale a model test",
+             {{"scale", add_scale_command}, {"rescale", add_rescale_command}, {"design", add_design_command}, {"pi", add_pi_command}}},
+            {"Prepare a ground motion, check a shake table", {{"record", add_record_command}, {"table", add_table_command}}},
+            {"Describe a structure",
+             {{"new", add_new_command},
+              {"check", add_check_command},
+              {"calibrate", add_calibrate_command},
+              {"specimen", add_specimen_command}}},
+            {"Shake it, tilt it",
+             {{"run", add_run_command},
+              {"sequence", add_sequence_command},
+              {"ensemble", add_ensemble_command},
+              {"tilt", add_tilt_command},
+              {"watch", add_watch_command}}},
+            {"Compare prototype and models", {{"pair", add_pair_command}}},
+            {"See results",
+             {{"report", add_report_command},
+              {"response", add_response_command},
+              {"field", add_field_command},
+              {"export", add_export_command}}},
+            {"Measure how exact musim is", {{"bench", add_bench_command}}}};
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ void add_response_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
 void add_field_command(CLI::App& app, Action& action);
 void add_export_command(CLI::App& app, Action& action);
+void add_tilt_command(CLI::App& app, Action& action);
 void add_watch_command(CLI::App& app, Action& action);
 void add_pi_command(CLI::App& app, Action& action);
 
