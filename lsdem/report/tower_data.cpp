@@ -209,13 +209,13 @@ nlohmann::json list_shapes(const BlockShapes& shapes) {
 std::array<double, 3> to_array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// Members of a run whose base turns.
-void add_turn(const std::vector<TowerFrame>& frames, nlohmann::json& json) {
+void add_turn(const std::vector<TowerFrame>& frames, nlohmann::json& data) {
     if (std::none_of(frames.begin(), frames.end(), [](const TowerFrame& frame) { return has_turned(frame.base); })) return;
     for (const TowerFrame& frame : frames) {
         const Quaternion& q = frame.base.turn;
-        json["turn"].push_back({q.w(), q.x(), q.y(), q.z()});
+        data["turn"].push_back({q.w(), q.x(), q.y(), q.z()});
     }
-    json["pivot"] = to_array(frames.front().base.pivot);
+    data["pivot"] = to_array(frames.front().base.pivot);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class Scaler {
             scale_part(placed);
         }
     }
-    /// What the source gives stays, and takes the factors.
+    /// The source stays, and takes the factors.
     void scale(SceneMotion& motion) const {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
         scale(motion.pivot);

@@ -322,7 +322,7 @@ std::vector<LoadEntry> parse_loads(const JsonReader& list) {
 
 namespace {
 
-/// What every motion may have besides its source.
+/// Keys that every motion may have besides those of its source.
 void read_more(const JsonReader& value, SceneMotion& motion) {
     if (value.json().contains("pivot")) motion.pivot = value.get<Triple<scaling::Length>>("pivot");
     if (!value.json().contains("factors")) return;

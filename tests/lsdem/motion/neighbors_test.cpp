@@ -66,7 +66,7 @@ Model make_random_heap(std::uint32_t seed) {
 /// Largest drift of any block, as a step that moves nothing finds it.
 double find_drift(const NeighborSearch& search, Bodies bodies, bool is_turned = false) {
     musim::lsdem::detail::TouchList touches;
-    touches.rebuild(bodies.size(), {});
+    touches.rebuild(bodies.size(), {}, {});
     const std::vector<PairForce> forces;
     return musim::lsdem::detail::move_blocks(
         {.touches = touches, .forces = forces, .reference = search.reference(), .is_turned = is_turned}, {0, bodies.size()}, bodies);

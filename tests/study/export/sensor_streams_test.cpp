@@ -10,7 +10,6 @@
 #include "records/formats/read_record.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using namespace musim;
 using namespace musim::lsdem;
 using musim::tests::TemporaryFolder;
 
@@ -41,13 +40,13 @@ TEST_CASE("miniSEED of a sensor is read back by musim to the bit") {
     const std::filesystem::path file = folder.path() / "a1.mseed";
     const StoredRun run = make_run();
     CHECK(write_sensor_streams(file, run, "A1") == 3);
-    const records::GroundMotion motion = records::read_record(file, {.sensitivity = 1.0});
+    const musim::records::GroundMotion motion = musim::records::read_record(file, {.sensitivity = 1.0});
     REQUIRE(motion.components.size() == 3);
     CHECK(motion.station.find("A1") != std::string::npos);
     for (std::size_t c = 0; c < 3; ++c) {
-        const records::Component& component = motion.components[c];
+        const musim::records::Component& component = motion.components[c];
         CHECK(component.name == "CN" + std::to_string(c + 1));
-        CHECK(component.series.quantity() == records::SampleQuantity::acceleration);
+        CHECK(component.series.quantity() == musim::records::SampleQuantity::acceleration);
         CHECK(component.series.dt().value() == 0.002);
         const std::vector<double> column = run.sensors[0].column(c);
         CHECK(std::vector<double>(component.series.samples().begin(), component.series.samples().end()) == column);
@@ -57,7 +56,7 @@ TEST_CASE("miniSEED of a sensor is read back by musim to the bit") {
 TEST_CASE("all sensors that read something are streams of stations of their own") {
     const TemporaryFolder folder;
     CHECK(write_sensor_streams(folder.path() / "all.mseed", make_run()) == 3 + 3 + 3 + 6);
-    const std::string bytes = tests::bytes_of(folder.path() / "all.mseed");
+    const std::string bytes = musim::tests::bytes_of(folder.path() / "all.mseed");
     for (const char* code : {"A1     CN3XX", "TOPLE  CH1XX", "S3     CJ2XX", "JOINT  CBZXX", "JOINT  CE2XX"}) {
         CAPTURE(code);
         CHECK(bytes.find(code) != std::string::npos);
@@ -66,7 +65,7 @@ TEST_CASE("all sensors that read something are streams of stations of their own"
 
 TEST_CASE("there is no miniSEED of sensors that are not there or read nothing") {
     const auto refusal = [](const StoredRun& run, const std::optional<std::string>& name) {
-        return tests::message_of<ResultError>([&] { write_sensor_streams("none.mseed", run, name); });
+        return musim::tests::message_of<ResultError>([&] { write_sensor_streams("none.mseed", run, name); });
     };
     StoredRun none = make_run();
     none.sensors.clear();
