@@ -41,7 +41,7 @@ bool lexical_cast(const std::string& text, Angle& angle) {
 
 struct TiltOptions : ResultOptions {
     std::string scene;
-    std::string about = "y";
+    std::string about;  ///< empty: that of the scene's own tilt, or y
     Angle step{2.0 * kDegree}, until{60.0 * kDegree}, tolerance{0.1 * kDegree};
 };
 
@@ -60,16 +60,18 @@ lsdem::Vector3 parse_axis(const std::string& text) {
     return {std::cos(angle.value), std::sin(angle.value), 0.0};
 }
 
-lsdem::TiltSettings find_settings(const TiltOptions& options) {
+lsdem::TiltSettings find_settings(const TiltOptions& options, const lsdem::Scene& scene) {
+    const auto* const tilt = std::get_if<lsdem::TiltMotion>(&scene.base_motion.source);
+    const std::string about = !options.about.empty() ? options.about : tilt != nullptr ? lsdem::kMotionAxes.at(tilt->about) : "y";
     lsdem::TiltSettings settings{
-        .axis = parse_axis(options.about), .step = options.step.value, .until = options.until.value, .tolerance = options.tolerance.value};
+        .axis = parse_axis(about), .step = options.step.value, .until = options.until.value, .tolerance = options.tolerance.value};
     if (const std::string why = lsdem::check_tilt(settings); !why.empty()) throw CLI::ValidationError("musim tilt", why);
     return settings;
 }
 
 int run_tilt(const TiltOptions& options) {
-    const lsdem::TiltSettings settings = find_settings(options);
     const lsdem::Scene scene = read_scene(options.scene);
+    const lsdem::TiltSettings settings = find_settings(options, scene);
     lsdem::check_scene(scene, options.scene);
     lsdem::ResultOrigin origin = options.origin_with_options();
     origin.add(scene);
@@ -104,11 +106,12 @@ int run_tilt(const TiltOptions& options) {
 void add_tilt_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<TiltOptions>();
     CLI::App* command = app.add_subcommand("tilt", "Angle at which a structure collapses on a tilting table, and how");
-    command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1) without a base motion")
+    command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1) without a base motion, or with \"tilt\"")
         ->required()
         ->type_name("SCENE.json");
-    command->add_option("--about", options->about, "Axis about which the ground is tilted: x, y, -x, -y, or its angle from x")
-        ->default_str("y")
+    command
+        ->add_option("--about", options->about,
+                     "Axis about which the ground is tilted: x, y, -x, -y, or its angle from x; default: the scene's, or y")
         ->type_name("AXIS");
     command->add_option("--step", options->step, "First step of the angle [degrees]; halved where the structure falls")
         ->default_str("2deg")

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "lsdem/study/pair_text.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -97,11 +99,13 @@ std::string name_edge(const JointMotion& joint, const std::array<Vector3, 2>& ax
 constexpr std::size_t kNamed = 6;  ///< of a list
 
 /// "a, b and c"; long lists end in a number.
-std::string join_words(const std::vector<std::string>& words) {
-    std::string text;
-    const std::size_t named = words.size() > kNamed ? kNamed - 1 : words.size();
-    for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-    return named < words.size() ? fmt::format("{} and {} others", text, words.size() - named) : text;
+std::string list_words(std::vector<std::string> words) {
+    if (words.size() > kNamed) {
+        const std::size_t others = words.size() - (kNamed - 1);
+        words.resize(kNamed - 1);
+        words.push_back(fmt::format("{} others", others));
+    }
+    return join_words(words);
 }
 
 /// "block 7", "blocks 7 to 9, as one body,", "12 blocks from block 3 to block 20, as one body,".
@@ -121,7 +125,7 @@ std::string name_supports(const std::vector<const JointMotion*>& joints, const B
         const std::string name = name_other(*joint, blocks);
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    return join_words(names);
+    return list_words(names);
 }
 
 }  // namespace
@@ -215,7 +219,7 @@ std::string describe(const Mechanism& mechanism, const BlockTable& blocks, const
         for (const JointMotion* joint : joints) {
             names.push_back(name_joint(*joint, blocks) + (by_edge ? fmt::format(" ({} edge)", name_edge(*joint, axes)) : ""));
         }
-        parts.push_back(fmt::format("{} {}: {}", joints.size(), joints.size() == 1 ? one : several, join_words(names)));
+        parts.push_back(fmt::format("{} {}: {}", joints.size(), joints.size() == 1 ? one : several, list_words(names)));
     };
     list(opened, "hinge", "hinges", true);
     list(slid, "joint that slides", "joints that slide", false);

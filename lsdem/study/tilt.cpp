@@ -32,7 +32,7 @@ constexpr double kAngleRounding = 1e-9;
 void check_scene_to_tilt(const Scene& scene) {
     const auto refuse = [&](const char* path, const char* why) { throw SceneError(fmt::format("{}: {}: {}", scene.place(), path, why)); };
     if (!scene.motions.empty()) refuse("/motions", "the scene shakes its structure (its ground is to be tilted instead); leave them out");
-    if (!std::holds_alternative<std::monostate>(scene.base_motion.source)) {
+    if (!std::holds_alternative<std::monostate>(scene.base_motion.source) && !tilts(scene)) {
         refuse("/base_motion", "the scene shakes its structure (its ground is to be tilted instead); leave it out");
     }
     if (scene.gravity[0].value() != 0.0 || scene.gravity[1].value() != 0.0 || !(scene.gravity[2].value() < 0.0)) {
@@ -334,7 +334,9 @@ std::string check_tilt(const TiltSettings& settings) {
 TiltResult find_tilt_of_collapse(const Scene& scene, const TiltSettings& settings, const RunSettings& run) {
     if (const std::string why = check_tilt(settings); !why.empty()) throw std::invalid_argument("tilt: " + why);
     check_scene_to_tilt(scene);
-    return TiltSearch(scene, settings, run).run();
+    Scene still = scene;
+    still.base_motion = {};
+    return TiltSearch(still, settings, run).run();
 }
 
 }  // namespace musim::lsdem

@@ -32,7 +32,7 @@ Scene make_tilted(const std::string& structure, double friction = 0.8, const std
 }
 
 /// A column along z of boxes b × w × h.
-std::string make_column(int layers, double b, double w, double h) {
+std::string make_tilted_column(int layers, double b, double w, double h) {
     return fmt::format(R"({{"kind": "column", "layers": {}, "block": ["{} m", "{} m", "{} m"]}})", layers, b, w, h);
 }
 
@@ -54,7 +54,7 @@ double find_overturning_on_springs(double b, double w, double height) {
 }  // namespace
 
 TEST_CASE("a slender block on a tilting table overturns at atan b/h, less what its springs give way") {
-    const TiltResult result = find_tilt_of_collapse(make_tilted(make_column(1, 0.2, 0.3, 0.8)), settings_of(4.0, 0.125));
+    const TiltResult result = find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.2, 0.3, 0.8)), settings_of(4.0, 0.125));
     REQUIRE(result.high.has_value());
     const double expected = std::atan(find_overturning_on_springs(0.2, 0.3, 0.8));
     CHECK(std::abs(result.angle() - expected) < result.error() + 0.01 * expected);
@@ -66,7 +66,8 @@ TEST_CASE("a slender block on a tilting table overturns at atan b/h, less what i
 
 TEST_CASE("a squat block on a tilting table slides at atan mu, whichever way the table turns") {
     for (const Vector3& axis : {Vector3(-Vector3::UnitX()), Vector3(0.6, 0.8, 0.0)}) {
-        const TiltResult result = find_tilt_of_collapse(make_tilted(make_column(1, 0.5, 0.5, 0.2), 0.3), settings_of(8.0, 0.25, axis));
+        const TiltResult result =
+            find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.5, 0.5, 0.2), 0.3), settings_of(8.0, 0.25, axis));
         REQUIRE(result.high.has_value());
         // nothing of a rigid block that slides gives way
         CHECK(result.low < std::atan(0.3) + 1e-3);
@@ -105,7 +106,7 @@ TEST_CASE("what slides on a block that stays is named") {
 }
 
 TEST_CASE("a model falls at the angle of its prototype, every try the same to the bit at 1:16") {
-    const Scene prototype = make_tilted(make_column(2, 0.2, 0.3, 0.3));
+    const Scene prototype = make_tilted(make_tilted_column(2, 0.2, 0.3, 0.3));
     const TiltSettings settings = settings_of(8.0, 1.0);
     const TiltResult large = find_tilt_of_collapse(prototype, settings);
     const TiltResult small =
@@ -126,7 +127,7 @@ TEST_CASE("a model falls at the angle of its prototype, every try the same to th
 TEST_CASE("a structure that stands up to the largest angle has none of collapse") {
     TiltSettings settings = settings_of(5.0, 1.0);
     settings.until = 8.0 * kDegree;
-    const TiltResult result = find_tilt_of_collapse(make_tilted(make_column(1, 0.5, 0.5, 0.2)), settings);
+    const TiltResult result = find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.5, 0.5, 0.2)), settings);
     CHECK_FALSE(result.high.has_value());
     CHECK(result.low == settings.until);
     CHECK_FALSE(result.fall.has_value());
@@ -134,7 +135,7 @@ TEST_CASE("a structure that stands up to the largest angle has none of collapse"
 }
 
 TEST_CASE("scenes and settings that cannot be tilted are refused in one line") {
-    const std::string block = make_column(1, 0.5, 0.5, 0.2);
+    const std::string block = make_tilted_column(1, 0.5, 0.5, 0.2);
     const auto refused = [](const Scene& scene) {
         try {
             find_tilt_of_collapse(scene);
@@ -167,7 +168,7 @@ TEST_CASE("scenes and settings that cannot be tilted are refused in one line") {
 
 TEST_SUITE("slow") {
     TEST_CASE("a column of ten blocks overturns as one body about its lowest edge") {
-        const TiltResult result = find_tilt_of_collapse(make_tilted(make_column(10, 0.4, 0.4, 0.15)), settings_of(8.0, 0.25));
+        const TiltResult result = find_tilt_of_collapse(make_tilted(make_tilted_column(10, 0.4, 0.4, 0.15)), settings_of(8.0, 0.25));
         REQUIRE(result.high.has_value());
         const double expected = std::atan(find_overturning_on_springs(0.4, 0.4, 1.5));
         // joints above give way as well: those of the lowest blocks, whose load and moment are nearly the same, by a part of the base's
