@@ -29,7 +29,8 @@ struct Bodies {
     std::vector<double> free;
     std::vector<double> preparation_loss;  ///< work of Model::velocity_damping and of mass scaling up to step n − 1/2 [J]
 
-    double elapsed = 0.0;  ///< between the steps n − 1 and n [s]
+    double elapsed = 0.0;                 ///< between the steps n − 1 and n [s]
+    Vector3 drawn_up = Vector3::UnitZ();  ///< outward normal of the ground when the simulation was made, world frame
 
     explicit Bodies(const Model& model);
     std::size_t size() const { return mass.size(); }  ///< number of blocks

@@ -76,7 +76,7 @@ int run_tilt(const TiltOptions& options) {
     lsdem::ResultOrigin origin = options.origin_with_options();
     origin.add(scene);
     std::optional<lsdem::ResultFolder> folder = options.make_folder(std::move(origin));
-    std::optional<lsdem::TiltResult> result;
+    std::optional<lsdem::TiltCollapse> result;
     {
         ProgressInParts progress(scene.name);
         result = lsdem::find_tilt_of_collapse(scene, settings, {.threads = options.threads, .observer = progress.observer()});

@@ -5,12 +5,10 @@
 namespace musim::lsdem::detail {
 namespace {
 
-/// Cosine of the angle by which a block has turned from its upright in the model, seen from the ground [-].
-double find_uprightness(const Block& drawn, const BodyPose& pose, const Vector3& ground_up) {
-    const Quaternion& q = drawn.orientation;
-    const Vector3 up{2.0 * (q.x() * q.z() - q.w() * q.y()), 2.0 * (q.y() * q.z() + q.w() * q.x()),
-                     1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
-    return up.dot(pose.rotation.transpose() * ground_up);
+/// Cosine of the angle by which block i has turned from its upright in the model, seen from the ground [-].
+double find_uprightness(const Model& model, const Bodies& bodies, std::size_t i) {
+    const Vector3 up = model.blocks[i].orientation.toRotationMatrix().transpose() * bodies.drawn_up;
+    return up.dot(bodies.pose[i].rotation.transpose() * bodies.up());
 }
 
 /// Is block i farther than `gap` [m] from the ground and from all other blocks?
@@ -37,7 +35,7 @@ std::optional<std::size_t> find_block_out_of_place(const Model& model, const Bod
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const BodyPose& pose = bodies.pose[i];
-        if (find_uprightness(model.blocks[i], pose, bodies.up()) < kLeavingTurn) return i;
+        if (find_uprightness(model, bodies, i) < kLeavingTurn) return i;
         if (!touches.sum(i, forces).force.isZero(0.0)) continue;
         if (is_in_the_air(model, bodies, i, kLeavingGap * 2.0 * pose.half.minCoeff())) return i;
     }

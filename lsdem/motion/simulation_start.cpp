@@ -130,6 +130,7 @@ void Simulation::Implementation::start() {
     base.put_ground(0.0, bodies);
     bodies.start_position.back() = bodies.pose.back().position;
     bodies.start_orientation.back() = bodies.orientation.back();
+    bodies.drawn_up = bodies.up();
     rebuild();
     note_leaving();
     // where everything was one step ago, as the initial velocities have it

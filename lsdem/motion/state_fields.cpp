@@ -4,7 +4,8 @@ namespace musim::lsdem {
 
 void exchange(Archive& archive, Bodies& b) {
     for (BodyPose& pose : b.pose) archive(pose.position, pose.rotation, pose.step.turn, pose.step.shift, pose.step.travel);
-    archive(b.orientation, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position, b.start_orientation, b.elapsed);
+    archive(b.orientation, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position, b.start_orientation, b.elapsed,
+            b.drawn_up);
 }
 
 void exchange(Archive& archive, NeighborSearch::Reference& reference) { archive(reference.position, reference.orientation); }

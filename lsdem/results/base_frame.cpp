@@ -30,7 +30,8 @@ Vector3 find_moved(const BaseState& base, const Vector3& start, const Vector3& n
 
 Vector3 find_moved(const RunData& run, std::size_t spine_block, std::size_t sample) {
     const History& h = run.history;
-    return find_moved(h.base[sample], h.spine_position[spine_block], h.spine_position[sample * run.spine.size() + spine_block]);
+    const Vector3& start = h.spine_position[spine_block];
+    return find_moved(h.base[sample], start, h.spine_position[sample * run.spine.size() + spine_block]) + h.base.front().displacement;
 }
 
 Vector3 find_velocity_on_base(const BaseState& base, const Vector3& x, const Vector3& velocity) {

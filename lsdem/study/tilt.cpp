@@ -105,7 +105,7 @@ class TiltSearch {
         if (const auto limit = find_steady_acceleration(model, result_.downhill())) result_.statics = std::atan(*limit);
     }
 
-    TiltResult run() && {
+    TiltCollapse run() && {
         std::optional<Standing> low = level();
         std::uint64_t step = coarsest_;
         std::optional<std::uint64_t> failed;
@@ -303,7 +303,7 @@ class TiltSearch {
     TiltSettings settings_;
     RunSettings run_;
     Specimen specimen_;
-    TiltResult result_;
+    TiltCollapse result_;
     Vector3 pivot_ = Vector3::Zero();  ///< below the middle of the structure
     std::uint64_t coarsest_ = 1;       ///< the first step over the last one
     double finest_ = 0.0;              ///< the last one [rad]
@@ -331,7 +331,7 @@ std::string check_tilt(const TiltSettings& settings) {
     return {};
 }
 
-TiltResult find_tilt_of_collapse(const Scene& scene, const TiltSettings& settings, const RunSettings& run) {
+TiltCollapse find_tilt_of_collapse(const Scene& scene, const TiltSettings& settings, const RunSettings& run) {
     if (const std::string why = check_tilt(settings); !why.empty()) throw std::invalid_argument("tilt: " + why);
     check_scene_to_tilt(scene);
     Scene still = scene;

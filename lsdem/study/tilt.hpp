@@ -65,7 +65,7 @@ struct TiltFall {
     std::string sentence;  ///< the mechanism for people; empty without
 };
 
-struct TiltResult {
+struct TiltCollapse {
     Vector3 axis = Vector3::UnitY();
     double height = 0.0;         ///< H [m]
     double unit_time = 0.0;      ///< T [s]
@@ -91,18 +91,18 @@ struct TiltResult {
 /// SceneError for a scene with a base motion, without a ground, with blocks that do not turn with it, with gravity that is not vertical,
 /// and for a structure that does not stand on level ground; std::invalid_argument for settings out of range (check_tilt);
 /// scaling::Interrupted; as lay_specimen does.
-TiltResult find_tilt_of_collapse(const Scene& scene, const TiltSettings& settings = {}, const RunSettings& run = {});
+TiltCollapse find_tilt_of_collapse(const Scene& scene, const TiltSettings& settings = {}, const RunSettings& run = {});
 
 /// Why these settings cannot be used, in words without a subject; empty: they can.
 std::string check_tilt(const TiltSettings& settings);
 
 /// Results as one JSON object in SI units and degrees.
-nlohmann::json to_json(const TiltResult& result);
+nlohmann::json to_json(const TiltCollapse& result);
 
 /// Results for people, line by line.
-std::vector<std::string> describe(const TiltResult& result);
+std::vector<std::string> describe(const TiltCollapse& result);
 
-/// Picture of the structure as it falls, seen along the axis, with joints that open and slide; requires TiltResult::fall.
-std::string make_fall_svg(const TiltResult& result, const std::string& title);
+/// Picture of the structure as it falls, seen along the axis, with joints that open and slide; requires TiltCollapse::fall.
+std::string make_fall_svg(const TiltCollapse& result, const std::string& title);
 
 }  // namespace musim::lsdem

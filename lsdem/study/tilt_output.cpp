@@ -53,7 +53,7 @@ std::string name_axis(const Vector3& axis) {
 
 }  // namespace
 
-json to_json(const TiltResult& result) {
+json to_json(const TiltCollapse& result) {
     json object{{"axis", to_json(result.axis)},
                 {"downhill", to_json(result.downhill())},
                 {"collapses", result.high.has_value()},
@@ -78,7 +78,7 @@ json to_json(const TiltResult& result) {
     return object;
 }
 
-std::vector<std::string> describe(const TiltResult& result) {
+std::vector<std::string> describe(const TiltCollapse& result) {
     std::vector<std::string> lines;
     const std::string about = name_axis(result.axis);
     if (result.high) {

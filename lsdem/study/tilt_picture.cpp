@@ -26,7 +26,7 @@ const char* color_of(JointEvent event) { return event == JointEvent::opens ? kOp
 
 class FallPicture {
   public:
-    FallPicture(const TiltResult& result, std::string title) : result_(result), title_(std::move(title)) {
+    FallPicture(const TiltCollapse& result, std::string title) : result_(result), title_(std::move(title)) {
         // seen along the axis, the true vertical upward, in the frame of the ground
         const double tilt = result.high.value_or(result.low);
         const Quaternion back = turn_by(-tilt * result.axis);
@@ -167,7 +167,7 @@ class FallPicture {
         }
     }
 
-    const TiltResult& result_;
+    const TiltCollapse& result_;
     std::string title_;
     SpaceView view_;
     std::vector<DrawnBody> bodies_;
@@ -179,6 +179,6 @@ class FallPicture {
 
 }  // namespace
 
-std::string make_fall_svg(const TiltResult& result, const std::string& title) { return FallPicture(result, title).draw(); }
+std::string make_fall_svg(const TiltCollapse& result, const std::string& title) { return FallPicture(result, title).draw(); }
 
 }  // namespace musim::lsdem

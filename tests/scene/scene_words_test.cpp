@@ -101,7 +101,7 @@ TEST_CASE("a key for what musim has not says so, with where its limits are writt
             error_of([&] { parse_scene(text); }),
             {"scene: /material/" + std::string(c.key) + ": unknown key \"" + c.key + "\": ", c.what, "see Limits, docs/theory/limits.md"});
     }
-    for (const char* const key : {"fluid", "water_level", "reinforcement", "soil", "wind", "temperature", "loads"}) {
+    for (const char* const key : {"fluid", "water_level", "reinforcement", "soil", "wind", "temperature"}) {
         CAPTURE(key);
         check_message(error_of([&] { parse_scene(make_column(kSound, R"([1, 1, 1])", std::string(", \"") + key + "\": {}")); }),
                       {"scene: /" + std::string(key), "musim has no ", "docs/theory/limits.md"});

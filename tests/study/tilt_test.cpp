@@ -54,7 +54,7 @@ double find_overturning_on_springs(double b, double w, double height) {
 }  // namespace
 
 TEST_CASE("a slender block on a tilting table overturns at atan b/h, less what its springs give way") {
-    const TiltResult result = find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.2, 0.3, 0.8)), settings_of(4.0, 0.125));
+    const TiltCollapse result = find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.2, 0.3, 0.8)), settings_of(4.0, 0.125));
     REQUIRE(result.high.has_value());
     const double expected = std::atan(find_overturning_on_springs(0.2, 0.3, 0.8));
     CHECK(std::abs(result.angle() - expected) < result.error() + 0.01 * expected);
@@ -66,7 +66,7 @@ TEST_CASE("a slender block on a tilting table overturns at atan b/h, less what i
 
 TEST_CASE("a squat block on a tilting table slides at atan mu, whichever way the table turns") {
     for (const Vector3& axis : {Vector3(-Vector3::UnitX()), Vector3(0.6, 0.8, 0.0)}) {
-        const TiltResult result =
+        const TiltCollapse result =
             find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.5, 0.5, 0.2), 0.3), settings_of(8.0, 0.25, axis));
         REQUIRE(result.high.has_value());
         // nothing of a rigid block that slides gives way
@@ -79,7 +79,7 @@ TEST_CASE("a squat block on a tilting table slides at atan mu, whichever way the
 
 TEST_CASE("a wall tilted out of its plane overturns at atan t/H, less what its springs give way") {
     const std::string wall = R"({"kind": "wall", "layers": 2, "blocks_per_layer": 1, "block": ["0.2 m", "0.4 m", "0.4 m"]})";
-    const TiltResult result = find_tilt_of_collapse(make_tilted(wall), settings_of(8.0, 0.25, Vector3::UnitX()));
+    const TiltCollapse result = find_tilt_of_collapse(make_tilted(wall), settings_of(8.0, 0.25, Vector3::UnitX()));
     REQUIRE(result.high.has_value());
     const double expected = std::atan(find_overturning_on_springs(0.2, 0.4, 0.8));
     // it stands on one face of 0.2 x 0.4 m; its head joints bear nothing
@@ -93,7 +93,7 @@ TEST_CASE("what slides on a block that stays is named") {
     const std::string blocks = R"({"kind": "blocks", "blocks": [
         {"name": "plinth", "size": ["0.6 m", "0.6 m", "0.2 m"], "position": ["0 m", "0 m", "0.1 m"]},
         {"name": "capstone", "size": ["0.4 m", "0.4 m", "0.1 m"], "position": ["0 m", "0 m", "0.25 m"]}]})";
-    const TiltResult result = find_tilt_of_collapse(make_tilted(blocks, 0.2, R"("ground": {"friction": 0.5},)"), settings_of(4.0, 0.25));
+    const TiltCollapse result = find_tilt_of_collapse(make_tilted(blocks, 0.2, R"("ground": {"friction": 0.5},)"), settings_of(4.0, 0.25));
     REQUIRE(result.high.has_value());
     CHECK(std::abs(result.angle() - std::atan(0.2)) < result.error() + 2e-4);
     REQUIRE(result.fall.has_value());
@@ -108,8 +108,8 @@ TEST_CASE("what slides on a block that stays is named") {
 TEST_CASE("a model falls at the angle of its prototype, every try the same to the bit at 1:16") {
     const Scene prototype = make_tilted(make_tilted_column(2, 0.2, 0.3, 0.3));
     const TiltSettings settings = settings_of(8.0, 1.0);
-    const TiltResult large = find_tilt_of_collapse(prototype, settings);
-    const TiltResult small =
+    const TiltCollapse large = find_tilt_of_collapse(prototype, settings);
+    const TiltCollapse small =
         find_tilt_of_collapse(scale_scene(prototype, musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0})), settings);
     REQUIRE(large.high.has_value());
     CHECK(small.high == large.high);
@@ -127,7 +127,7 @@ TEST_CASE("a model falls at the angle of its prototype, every try the same to th
 TEST_CASE("a structure that stands up to the largest angle has none of collapse") {
     TiltSettings settings = settings_of(5.0, 1.0);
     settings.until = 8.0 * kDegree;
-    const TiltResult result = find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.5, 0.5, 0.2)), settings);
+    const TiltCollapse result = find_tilt_of_collapse(make_tilted(make_tilted_column(1, 0.5, 0.5, 0.2)), settings);
     CHECK_FALSE(result.high.has_value());
     CHECK(result.low == settings.until);
     CHECK_FALSE(result.fall.has_value());
@@ -168,7 +168,7 @@ TEST_CASE("scenes and settings that cannot be tilted are refused in one line") {
 
 TEST_SUITE("slow") {
     TEST_CASE("a column of ten blocks overturns as one body about its lowest edge") {
-        const TiltResult result = find_tilt_of_collapse(make_tilted(make_tilted_column(10, 0.4, 0.4, 0.15)), settings_of(8.0, 0.25));
+        const TiltCollapse result = find_tilt_of_collapse(make_tilted(make_tilted_column(10, 0.4, 0.4, 0.15)), settings_of(8.0, 0.25));
         REQUIRE(result.high.has_value());
         const double expected = std::atan(find_overturning_on_springs(0.4, 0.4, 1.5));
         // joints above give way as well: those of the lowest blocks, whose load and moment are nearly the same, by a part of the base's

@@ -145,7 +145,7 @@ TEST_CASE("a run of an older format cannot be resumed: one line names file and f
     const Outcome outcome = here.run("run --resume out");
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.has_one_error_line());
-    for (const char* part : {"out/checkpoint: ", "format 11", "format 15", "start it anew"}) {
+    for (const char* part : {"out/checkpoint: ", "format 11", "format 17", "start it anew"}) {
         CHECK_MESSAGE(outcome.err.find(part) != std::string::npos, outcome.err);
     }
 }

@@ -93,7 +93,7 @@ TEST_CASE("commands stand under what people want to do") {
     const std::string help = here.run("--help").out;
     CHECK(list_words(help, "Compare prototype and models:") == std::vector<std::string>{"pair"});
     CHECK(list_words(help, "See results:") == std::vector<std::string>{"report", "response", "field", "export"});
-    CHECK(list_commands(help).size() == 20);
+    CHECK(list_commands(help).size() == 21);
     const std::string page = musim::tests::bytes_of(MUSIM_PAGES "/man1/musim.1");
     CHECK(page.find(".SS See results\n.TP\n\\fBreport\\fR\n") != std::string::npos);
     for (const char* const command : {"record", "record make", "calibrate", "bench"}) {
