@@ -26,7 +26,8 @@ using scaling::StructureProperties;
 const BlockEntry* find_listed(const Scene& scene) {
     const auto* list = std::get_if<BlockList>(&scene.structure);
     if (list == nullptr) return nullptr;
-    const auto moves = std::find_if(list->blocks.begin(), list->blocks.end(), [](const BlockEntry& block) { return block.fixed == Held::free; });
+    const auto moves =
+        std::find_if(list->blocks.begin(), list->blocks.end(), [](const BlockEntry& block) { return block.fixed == Held::free; });
     return moves == list->blocks.end() ? &list->blocks.front() : &*moves;
 }
 

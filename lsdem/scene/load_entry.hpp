@@ -24,9 +24,9 @@ struct LoadEntry {
     bool operator==(const LoadEntry&) const = default;
 };
 
-/// Stiffness of an actuator over that of a whole face of its block against another one, k_n, where a scene gives none [-]. Softer: the point
-/// lags behind its end, by W/k; stiffer: shorter steps, and a dashpot that pushes by c·v from the moment the end moves at v, which is small
-/// beside the weight W of a block as long as v is small beside W/c.
+/// Stiffness of an actuator over that of a whole face of its block against another one, k_n, where a scene gives none [-]. Softer: the
+/// point lags behind its end, by W/k; stiffer: shorter steps, and a dashpot that pushes by c·v from the moment the end moves at v, which is
+/// small beside the weight W of a block as long as v is small beside W/c.
 inline constexpr double kActuatorPart = 1e-4;
 
 }  // namespace musim::lsdem

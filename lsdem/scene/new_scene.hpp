@@ -11,7 +11,8 @@
 /// Scenes to start from, at the scale of a model, with comments.
 namespace musim::lsdem {
 
-/// "tower", "wall", "column", "blocks", "arch", "drums", "mesh", "tilt" (a column on a tilting table): structures that a scene may start from.
+/// "tower", "wall", "column", "blocks", "arch", "drums", "mesh", "tilt" (a column on a tilting table): structures that a scene may start
+/// from.
 const std::vector<std::string>& new_scene_kinds();
 
 /// Wishes for a new scene.
