@@ -67,9 +67,13 @@ std::optional<lsdem::MeshForm> find_mesh(const NewOptions& options) {
 }
 
 /// Adds to the comments of a scene which commands go on from it.
-void name_commands(lsdem::ReadableText& text, bool has_record) {
+void name_commands(lsdem::ReadableText& text, const lsdem::Scene& scene, bool has_record) {
     text.comments[""].emplace_back("musim check FILE says what this means and draws it; musim run FILE -o DIR runs it");
     text.comments["/material"].emplace_back("musim calibrate shows how to measure your own");
+    if (lsdem::tilts(scene)) {
+        text.comments["/tilt"].emplace_back("musim tilt FILE finds the angle at which the structure collapses, and how");
+        return;
+    }
     text.comments["/base_motion"].emplace_back(has_record ? "musim record info FILE lists the components of a record"
                                                           : "musim new ... --record FILE takes a record instead");
 }
@@ -86,7 +90,7 @@ int run_new(const NewOptions& options) {
         lsdem::scale_record(scene, lsdem::find_scale(wanted));
     }
     lsdem::ReadableText text = lsdem::comment_new_scene(wanted, scene);
-    name_commands(text, !options.record.record.empty());
+    name_commands(text, scene, !options.record.record.empty());
     if (!options.out.empty()) text.folder = fs::absolute(options.out).parent_path();
     const std::string json = lsdem::write_readable_scene(scene, text);
     if (options.out.empty()) {
