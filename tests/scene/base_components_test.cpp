@@ -199,7 +199,7 @@ TEST_CASE("a base ends at rest, displaced or as its record leaves it") {
             make_base_components(parse_motion(R"({"record": "ramp.txt", "components": {"x": "1"}, "unit": "m/s^2")" + at_rest + "}",
                                               folder.path() / "scene.json"))
                 .shift[0];
-        const lsdem::BaseMotion base({x, {}, {}});
+        const lsdem::BaseMotion base({.shift = {x, {}, {}}});
         return std::pair(base.velocity(5.0).x(), base.displacement(4.0).x());
     };
     CHECK(end_of(R"(, "at_rest": false)").first == doctest::Approx(2.0 * 16.0 / 2.0).epsilon(1e-12));

@@ -88,12 +88,12 @@ TEST_CASE("the factors between two motions of the base are found, whatever their
 TEST_CASE("another motion has no factors, a step has no time") {
     const BaseComponent pulse = make_base_pulse(201, 0.01, 1.0), step{.start = 0.1, .dt = 0.0, .velocity = {0.5}},
                         ramp{.start = 0.0, .dt = 1.0, .velocity = {0.0, 1.0, 2.0}};
-    CHECK_FALSE(measure_base_shaking({pulse, {}, {}}, {BaseComponent(), pulse, BaseComponent()}, 2.0, {1.0}));
-    CHECK_FALSE(measure_base_shaking({pulse, {}, {}}, {ramp, {}, {}}, 2.0, {1.0}));
-    CHECK_FALSE(measure_base_shaking({pulse, {}, {}}, {step, {}, {}}, 2.0, {1.0}));
+    CHECK_FALSE(measure_base_shaking({.shift = {pulse, {}, {}}}, {.shift = {BaseComponent(), pulse, BaseComponent()}}, 2.0, {1.0}));
+    CHECK_FALSE(measure_base_shaking({.shift = {pulse, {}, {}}}, {.shift = {ramp, {}, {}}}, 2.0, {1.0}));
+    CHECK_FALSE(measure_base_shaking({.shift = {pulse, {}, {}}}, {.shift = {step, {}, {}}}, 2.0, {1.0}));
     CHECK_FALSE(measure_base_shaking({}, {}, 2.0, {1.0}));
-    const auto shaking =
-        measure_base_shaking({step, {}, {}}, {BaseComponent{.start = 0.05, .dt = 0.0, .velocity = {0.2}}, {}, {}}, 2.0, {0.5});
+    const auto shaking = measure_base_shaking({.shift = {step, {}, {}}},
+                                              {.shift = {BaseComponent{.start = 0.05, .dt = 0.0, .velocity = {0.2}}, {}, {}}}, 2.0, {0.5});
     REQUIRE(shaking);
     CHECK_FALSE(shaking->time);
     CHECK(*shaking->velocity == relative(0.4, 1e-12));

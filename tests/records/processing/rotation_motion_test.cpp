@@ -22,10 +22,10 @@ using lsdem::tests::relative;
 using scaling::si::seconds;
 
 // θ = A (1 − cos ω t)²: at rest at both ends of whole periods, home again
-constexpr double kAmplitude = 0.03;                          // rad
-constexpr double kOmega = 2.0 * std::numbers::pi;            // rad/s
-constexpr std::size_t kSteps = 4000;                         // of two periods
-constexpr double kStep = 2.0 / static_cast<double>(kSteps);  // s
+constexpr double kAmplitude = 0.03;                                  // rad
+constexpr double kOmega = 2.0 * std::numbers::pi;                    // rad/s
+constexpr std::size_t kRotationSteps = 4000;                         // of two periods
+constexpr double kStep = 2.0 / static_cast<double>(kRotationSteps);  // s
 
 double angle(double t) { return kAmplitude * std::pow(1.0 - std::cos(kOmega * t), 2); }
 double rate(double t) { return 2.0 * kAmplitude * kOmega * (1.0 - std::cos(kOmega * t)) * std::sin(kOmega * t); }
@@ -33,7 +33,7 @@ double acceleration(double t) { return 2.0 * kAmplitude * kOmega * kOmega * (std
 
 TimeSeries sample(SampleQuantity quantity, const std::function<double(double)>& value) {
     std::vector<double> samples;
-    for (std::size_t i = 0; i <= kSteps; ++i) samples.push_back(value(static_cast<double>(i) * kStep));
+    for (std::size_t i = 0; i <= kRotationSteps; ++i) samples.push_back(value(static_cast<double>(i) * kStep));
     return {quantity, 0.0 * seconds, kStep * seconds, std::move(samples)};
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("every law keeps angles and divides their rates by the time") {
         const scaling::Similitude similitude = scaling::make_similitude(law, {.length = 1.0 / 16.0});
         const GroundMotion model = rescale(motion, similitude);
         const double time = similitude.time();
-        for (std::size_t i = 97; i <= kSteps; i += 97) {
+        for (std::size_t i = 97; i <= kRotationSteps; i += 97) {
             const double t = static_cast<double>(i) * kStep;
             CHECK(model.components[0].series.samples()[i] == angle(t));
             CHECK(model.components[1].series.samples()[i] == relative(rate(t) / time, 1e-14));

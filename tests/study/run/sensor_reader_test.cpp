@@ -342,7 +342,7 @@ TEST_CASE("sensors of a run that was killed go on to the same bits") {
                      {.steps = 33.0, .count = 36, .corner_steps = 0.01, .order = 3}};
     const RunResult whole = simulate(specimen, plan);
     CHECK(whole.sensors[0].readings() == 165);
-    for (const std::uint64_t every : {7, 59}) {
+    for (const std::uint64_t every : {7U, 59U}) {
         const TemporaryFolder folder;
         RunSettings settings;
         settings.checkpoint =
