@@ -43,10 +43,10 @@ def find_drawn(browser):
     """Where the blocks are seen, without the grid: shares of the picture from its left and its lower edge, [x0, x1, y0, y1]."""
     return browser.execute_script("""
         const viewer = window.musimTower, gl = viewer.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, p = new Uint8Array(4 * w * h);
-        viewer.ground.visible = false;
+        viewer.grounds.forEach(function (ground) { ground.visible = false; });
         viewer.draw();
         gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
-        viewer.ground.visible = true;
+        viewer.grounds.forEach(function (ground) { ground.visible = true; });
         let x0 = w, x1 = -1, y0 = h, y1 = -1;
         for (let y = 0; y < h; ++y) for (let x = 0; x < w; ++x) if (p[4 * (y * w + x) + 3] > 0) {
             x0 = Math.min(x0, x); x1 = Math.max(x1, x); y0 = Math.min(y0, y); y1 = Math.max(y1, y);
