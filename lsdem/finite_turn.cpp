@@ -10,7 +10,7 @@ struct Series {
     double value = 0.0, slope = 0.0;
 
     Series(double s, int first) {
-        constexpr int kTerms = 28;  // of s = (2π)², the last one is 1e-18 of the first
+        constexpr int kTerms = 28;  // of s = (2π)², the last one is 1e-28
         double factorial = 1.0;
         for (int i = 2; i <= first; ++i) factorial *= i;
         double term = 1.0 / factorial;  // without its power of s

@@ -18,12 +18,12 @@ void CarryingBase::restart(const Bodies& bodies) {
 
 void CarryingBase::put_ground(double time, Bodies& bodies) const {
     BodyPose& ground = bodies.pose.back();
+    ground.position = origin_ + motion_.displacement(time);
+    if (!motion_.turns()) return;  // it keeps its orientation
     bodies.orientation.back() = motion_.turn(time) * unturned_;
     ground.rotation = bodies.orientation.back().toRotationMatrix();
     // the pivot keeps its place in the ground
-    const Vector3 aside = orientation_at_begin() * motion_.pivot() - ground.rotation * motion_.pivot();
-    ground.position = origin_ + motion_.displacement(time);
-    if (is_turned()) ground.position += aside;
+    ground.position += orientation_at_begin() * motion_.pivot() - ground.rotation * motion_.pivot();
 }
 
 void CarryingBase::move_ground(std::optional<double> time, double h, Bodies& bodies) const {
@@ -73,13 +73,13 @@ void CarryingBase::bear(const detail::TouchList& touches, const std::vector<Pair
 Vector3 CarryingBase::displacement(const Bodies& bodies) const {
     const BodyPose& ground = bodies.pose.back();
     const Vector3 moved = ground.position - origin_;
-    if (!is_turned()) return moved;
+    if (!motion_.turns()) return moved;
     return moved + (ground.rotation * motion_.pivot() - orientation_at_begin() * motion_.pivot());
 }
 
 Quaternion CarryingBase::turn(const Bodies& bodies) const { return bodies.orientation.back() * orientation_at_begin().conjugate(); }
 
-Vector3 CarryingBase::pivot_place() const { return (origin_ + motion_.displacement(0.0)) + orientation_at_begin() * motion_.pivot(); }
+Vector3 CarryingBase::pivot_place() const { return origin_ + orientation_at_begin() * motion_.pivot(); }
 
 bool CarryingBase::carries(std::size_t block) const { return std::find(carried_.begin(), carried_.end(), block) != carried_.end(); }
 

@@ -43,7 +43,7 @@ class CarryingBase {
 
     Vector3 displacement(const Bodies& bodies) const;  ///< of the pivot since the motion began [m]
     Quaternion turn(const Bodies& bodies) const;       ///< of the ground since the motion began
-    Vector3 pivot_place() const;                       ///< where the pivot was when the motion began, world frame [m]
+    Vector3 pivot_place() const;                       ///< where the pivot is without its displacement, world frame [m]
     /// Has the ground been turned, or will this motion turn it?
     bool is_turned() const { return motion_.turns() || !unturned_.vec().isZero(0.0); }
     bool carries(std::size_t block) const;

@@ -50,7 +50,7 @@ struct BaseState {
     Vector3 acceleration = Vector3::Zero();    ///< [m/s²], the value that holds just after this instant
     Quaternion turn = Quaternion::Identity();  ///< since the motion began
     TurnRates turn_rates = {};                 ///< likewise just after this instant
-    Vector3 pivot = Vector3::Zero();           ///< where that point was when the motion began; zero of a base that does not turn [m]
+    Vector3 pivot = Vector3::Zero();           ///< where that point is without its displacement; zero of a base that does not turn [m]
 
     /// Where a point at `x` now would be, had it moved with the base since the motion began and the base then not moved:
     /// pivot + turn⁻¹ (x − displacement − pivot) [m].

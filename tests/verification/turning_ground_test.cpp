@@ -117,6 +117,22 @@ TEST_CASE("what is held to the base moves with any point of it through finite tu
     CHECK(velocity < 1e-5 * fastest);
 }
 
+TEST_CASE("what is held to a base that moved before the start stays where it is on the base") {
+    const Stone stone = wood();
+    Model model = make_model(stone);
+    model.blocks.push_back(make_block(stone, {0.1, 0.2, 0.3}));
+    model.blocks[0].fixed = model.blocks[0].with_base = true;
+    model.ground.motion = make_large_motion();
+    model.ground.motion.shift[1] = {-0.01, 0.005, {0.0, 2.0, 1.0, 0.0}};
+    Simulation s(model, 1e-5);
+    REQUIRE(s.base().displacement.y() > 0.01);
+    const Vector3 start = s.base().seen_from_base(s.position(0));
+    for (int sample = 0; sample < 5; ++sample) {
+        s.advance(500);
+        CHECK((s.base().seen_from_base(s.position(0)) - start).norm() < 1e-12);
+    }
+}
+
 // [Yim80]: once the block has left its base it turns about the edge that the base turns about, I φ″ = m g R sin(φ − α), whatever the base
 // does; it leaves when the base pulls away, θ″ < p² sin(θ − α). The acceleration is one sine from rest, of 0.9 p² sin α at most: a base
 // that is harder on it at first tips it over its other edge.
