@@ -6,19 +6,15 @@
 namespace musim::lsdem {
 namespace {
 
-/// Shift of a point at `x` when the turn of the base is taken back [m].
-Vector3 find_return(const BaseState& base, const Vector3& x) {
-    const Vector3 arm = x - base.displacement - base.pivot;
-    return base.turn.conjugate() * arm - arm;
-}
-
 Vector3 turn_direction_back(const BaseState& base, const Vector3& direction) {
     return has_turned(base) ? Vector3(base.turn.conjugate() * direction) : direction;
 }
 
 }  // namespace
 
-Vector3 turn_back(const BaseState& base, const Vector3& x) { return has_turned(base) ? Vector3(x + find_return(base, x)) : x; }
+Vector3 turn_back(const BaseState& base, const Vector3& x) {
+    return has_turned(base) ? Vector3(base.seen_from_base(x) + base.displacement) : x;
+}
 
 Quaternion turn_back(const BaseState& base, const Quaternion& orientation) {
     return has_turned(base) ? base.turn.conjugate() * orientation : orientation;
